@@ -1,0 +1,146 @@
+// scarp render DIR
+#include "apps/commands.hpp"
+
+#include "io/series.hpp"
+#include "render/frame_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace scarp::apps {
+
+namespace {
+
+/// "all", "last" or a list like 0,3,7-9.  Throws UsageError.
+std::vector<std::size_t> chosen_frames(const std::string& words, std::size_t count) {
+  std::vector<std::size_t> frames;
+  const auto range = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i <= last; ++i) frames.push_back(i);
+  };
+  if (words == "all") {
+    if (count > 0) range(0, count - 1);
+    return frames;
+  }
+  if (words == "last") {
+    if (count > 0) frames.push_back(count - 1);
+    return frames;
+  }
+  const auto number = [&](const std::string& word) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || error != std::errc() || end != word.data() + word.size())
+      throw UsageError(
+          fmt::format("--frames {}: '{}' is no frame; give all, last, or a list such as "
+                      "0,3,7-9",
+                      words, word));
+    if (value >= count)
+      throw UsageError(
+          fmt::format("--frames {}: there is no frame {}; the series has frames 0 to {}", words,
+                      value, count - 1));
+    return value;
+  };
+  std::size_t start = 0;
+  while (start <= words.size()) {
+    const std::size_t comma = std::min(words.find(',', start), words.size());
+    const std::string part = words.substr(start, comma - start);
+    const std::size_t dash = part.find('-');
+    if (dash == std::string::npos)
+      frames.push_back(number(part));
+    else
+      range(number(part.substr(0, dash)), number(part.substr(dash + 1)));
+    start = comma + 1;
+  }
+  return frames;
+}
+
+struct Options {
+  std::filesystem::path series;
+  std::filesystem::path out;
+  render::FrameStyle style;
+  std::string frames = "all";
+  std::string colours = "viridis";
+  std::vector<double> range;
+};
+
+void render_series(Options options) {
+  const io::SeriesReader series(options.series);
+  const std::vector<std::size_t> frames = chosen_frames(options.frames, series.size());
+  if (frames.empty()) throw std::runtime_error("the series has no frames");
+  if (options.out.empty())
+    options.out = std::filesystem::is_directory(options.series) ? options.series
+                                                                : options.series.parent_path();
+  make_directory(options.out);
+  render::FrameStyle& style = options.style;
+  style.colours = render::colour_map(options.colours);
+
+  // One range and one view for the whole series, whichever frames are drawn of it.
+  std::optional<render::ValueSpread> spread;
+  std::optional<render::Box> view;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const io::Frame frame = series.read(i);
+    const render::ValueSpread here = render::value_spread(frame, style.field);
+    spread = spread ? render::united(*spread, here) : here;
+    view = view ? render::united(*view, render::body_view(frame)) : render::body_view(frame);
+  }
+  style.range = render::round_range(*spread, style.bands);
+  if (!options.range.empty()) {
+    if (options.range[1] <= options.range[0])
+      throw UsageError("--range: the upper end must be above the lower");
+    style.range->lower = options.range[0];
+    style.range->upper = options.range[1];
+    style.range->bands = style.bands;
+    style.range->values_below = spread->least < options.range[0];
+    style.range->values_above = spread->largest > options.range[1];
+  }
+  style.view = view;
+
+  for (const std::size_t index : frames) {
+    const std::filesystem::path file =
+        options.out / fmt::format("{}_{}_{:06}.png", series.name(), style.field.name, index);
+    render::write_png(file, render::render_frame(series.read(index), style));
+    fmt::print("{}\n", file.string());
+  }
+}
+
+} // namespace
+
+void add_render(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("render", "Draw frames of a series as PNG pictures.");
+  command->add_option("series", options->series, "Directory of a run, or its .pvd file")
+      ->required();
+  command
+      ->add_option("--field", options->style.field.name,
+                   "Column to draw; of a vector its magnitude unless --component is given")
+      ->capture_default_str();
+  command->add_option("--component", options->style.field.component,
+                      "Component of a vector (x y z) or tensor (xx yy zz xy yz xz), from 0");
+  command->add_option("--frames", options->frames, "all, last, or a list such as 0,3,7-9")
+      ->capture_default_str();
+  command->add_option("--out", options->out,
+                      "Directory for the pictures; default: the series' own");
+  command
+      ->add_option("--range", options->range, "Ends of the colours; default: of the whole series")
+      ->expected(2);
+  command->add_option("--bands", options->style.bands, "Colour bands, at most")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--colours", options->colours, "viridis, cividis or inferno")
+      ->check(CLI::IsMember({"viridis", "cividis", "inferno"}))
+      ->capture_default_str();
+  command->add_option("--width", options->style.width, "Pixels")
+      ->check(CLI::Range(200, 16384))
+      ->capture_default_str();
+  command->add_option("--height", options->style.height, "Pixels; 0: what the body needs")
+      ->check(CLI::Range(0, 16384))
+      ->capture_default_str();
+  command->add_option("--title", options->style.title, "Words above the picture");
+  command->add_flag("--points", options->style.draw_points, "Material points instead of bands");
+  command->footer("Example:\n  scarp render out/pile --field velocity --frames last");
+  command->callback([options] { render_series(*options); });
+}
+
+} // namespace scarp::apps

@@ -1,0 +1,30 @@
+// scarp reproduce NAME
+#include "apps/bui2008.hpp"
+#include "apps/commands.hpp"
+
+#include <memory>
+
+namespace scarp::apps {
+
+void add_reproduce(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("reproduce", "Run a published case and set it beside its reference.");
+  command->require_subcommand(1);
+
+  const auto options = std::make_shared<Bui2008Options>();
+  CLI::App* bui = command->add_subcommand(
+      "bui2008",
+      "Collapse of a pile of aluminium rods (Bui et al. 2008; Wu et al. 2017, fig. 2-5)");
+  bui->add_option("--out", options->out, "Directory for the results")->required();
+  bui->add_option("--cell", options->cell_size,
+                  "Cell size, m; 0.001 is the paper's (80 000 points)")
+      ->capture_default_str();
+  bui->add_option("--threads", options->threads, "Threads; default: all there are")
+      ->check(CLI::Range(1, 1024));
+  bui->add_option("--set", options->set, "key=value that overrides the scene; repeatable")
+      ->allow_extra_args(false);
+  bui->footer("Example:\n  scarp reproduce bui2008 --out out/bui2008 --cell 0.0025");
+  bui->callback([options] { reproduce_bui2008(*options); });
+}
+
+} // namespace scarp::apps

@@ -1,0 +1,32 @@
+// The subcommands of the program.  Each adds its options to the command line and, chosen, runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace scarp::apps {
+
+/// What the user asked for cannot be done as asked: exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void add_run(CLI::App& program);
+void add_render(CLI::App& program);
+void add_reproduce(CLI::App& program);
+void add_info(CLI::App& program);
+void add_options(CLI::App& program);
+
+/// The scenes and references that belong to the program: $SCARP_DATA, or `data` beside the build
+/// folder, or share/scarp beside the installed program.  Throws std::runtime_error with where it
+/// looked.
+std::filesystem::path data_directory();
+
+/// Makes a directory for results; throws UsageError if something else has that name.
+void make_directory(const std::filesystem::path& directory);
+
+} // namespace scarp::apps

@@ -1,0 +1,72 @@
+// scarp: landslides by the material point method.
+//
+//   scarp run data/scenes/bui2008.toml --out out/pile
+//   scarp render out/pile --field velocity --frames last
+//   scarp reproduce bui2008 --out out/bui2008
+//
+// Exit codes: 0 done; 1 the run failed; 2 the command line or the scene is wrong.
+#include "apps/commands.hpp"
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "io/scene_file.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <unistd.h>
+
+namespace {
+
+/// libgomp's threads wait for each other by spinning, by default so long that on a machine shared
+/// with other work a run takes a hundred times as long.  libgomp reads its settings before main, so
+/// the program starts itself again with a bounded spin unless the user has chosen.
+void bound_openmp_spinning(char** argv) {
+  if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
+  ::setenv("GOMP_SPINCOUNT", "10000", 1);
+  ::execv("/proc/self/exe", argv); // returns only if it fails; then the run is merely slower
+}
+
+int report(const char* kind, const std::exception& error, int code) {
+  std::fprintf(stderr, "scarp: %s%s\n", kind, error.what());
+  return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  bound_openmp_spinning(argv);
+  try {
+    CLI::App program{"Landslides by the material point method: solver, VTK series, figures."};
+    program.name("scarp");
+    program.set_version_flag("--version", std::string("scarp ") + scarp::version);
+    program.require_subcommand(1);
+    program.footer(
+        "Examples:\n"
+        "  scarp run data/scenes/bui2008.toml --out out/pile\n"
+        "  scarp render out/pile --field velocity --frames last\n"
+        "  scarp reproduce bui2008 --out out/bui2008\n"
+        "Exit codes: 0 done, 1 the run failed, 2 the command line or the scene is wrong.");
+    scarp::apps::add_run(program);
+    scarp::apps::add_render(program);
+    scarp::apps::add_reproduce(program);
+    scarp::apps::add_info(program);
+    scarp::apps::add_options(program);
+    try {
+      program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return program.exit(error) == 0 ? 0 : 2;
+    }
+    return 0;
+  } catch (const scarp::apps::UsageError& error) {
+    return report("", error, 2);
+  } catch (const scarp::io::SceneError& error) {
+    return report("", error, 2);
+  } catch (const scarp::SetupError& error) {
+    return report("", error, 2);
+  } catch (const scarp::RunError& error) {
+    return report("the run failed: ", error, 1);
+  } catch (const std::exception& error) {
+    return report("", error, 1);
+  }
+}

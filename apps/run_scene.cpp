@@ -1,0 +1,58 @@
+#include "apps/run_scene.hpp"
+
+#include "apps/progress.hpp"
+#include "io/run_recorder.hpp"
+
+#include <omp.h>
+
+#include <cstdio>
+
+namespace scarp::apps {
+
+namespace {
+
+class ProgressRecorder final : public io::RunRecorder {
+ public:
+  ProgressRecorder(const Scene& scene, const Simulation& simulation,
+                   const std::filesystem::path& directory, const std::string& name, int threads)
+      : RunRecorder(scene, simulation, directory, name, threads), line_(scene.timing.end_time) {}
+
+  void progress(const Simulation& simulation) override { line_.update(simulation); }
+
+ private:
+  ProgressLine line_;
+};
+
+void print_plan(const Scene& scene, const Simulation& simulation, int threads) {
+  std::printf("%s\n", scene.title.empty() ? "untitled scene" : scene.title.c_str());
+  std::printf("  %-15s %zu points in %zu of %zu cells, first step %.3g s, %d thread%s\n", "size",
+              simulation.points(), simulation.occupied_cells(), simulation.cells(),
+              simulation.stable_time_step(), threads, threads == 1 ? "" : "s");
+  for (const PlanLine& line : simulation.plan())
+    std::printf("  %-15s %s\n", line.what.c_str(), line.how.c_str());
+  std::fflush(stdout);
+}
+
+} // namespace
+
+RunOutcome run_scene(const Scene& scene, const std::filesystem::path& directory,
+                     const std::string& name, int threads) {
+  if (threads > 0) omp_set_num_threads(threads);
+  const int used = omp_get_max_threads();
+  const std::unique_ptr<Simulation> simulation = make_simulation(scene);
+  print_plan(scene, *simulation, used);
+
+  ProgressRecorder recorder(scene, *simulation, directory, name, used);
+  RunSummary summary;
+  try {
+    summary = run(*simulation, scene.timing, recorder);
+  } catch (const RunError& error) {
+    recorder.finish(*simulation, std::nullopt, error.what());
+    throw;
+  }
+  recorder.finish(*simulation, summary, "");
+  return {simulation->points(), simulation->steps(), summary.stop_time, recorder.wall_seconds(),
+          summary.reason == StopReason::at_rest};
+}
+
+} // namespace scarp::apps

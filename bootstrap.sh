@@ -1,0 +1,186 @@
+#!/usr/bin/env bash
+# Sets up, builds and runs scarp on a bare Debian 12: no display, no GPU, nothing but apt is assumed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+export PATH # bash has a default where the environment has none
+
+usage() {
+  cat >&2 <<'TEXT'
+Usage: ./bootstrap.sh demo | test | paraview
+
+  demo      install what is missing, build, and reproduce the collapse of a pile
+            of aluminium rods (Bui et al. 2008) in demo/bui2008/
+  test      install what is missing and run every check: formatting, compiler
+            warnings, clang-tidy, sanitizers, tests
+  paraview  install ParaView and let it read back the series of the demo
+
+Each is safe to repeat.  Only Debian packages are installed, and only those
+missing, as root or through sudo.
+TEXT
+}
+
+program_packages=(g++ cmake ninja-build libvtk9-dev libosmesa6-dev libtomlplusplus-dev libcli11-dev
+  nlohmann-json3-dev libfmt-dev fonts-dejavu-core)
+# clang-tidy takes omp.h from libomp-dev.
+test_packages=(libgtest-dev libbenchmark-dev ccache clang-format clang-tidy libomp-dev)
+
+logs=build/log
+demo=demo/bui2008
+processors=$(nproc)
+if [ -t 1 ]; then on_terminal=yes; else on_terminal=; fi
+
+fail() {
+  printf '\n%s: %s\n' bootstrap.sh "$*" >&2
+  exit 1
+}
+
+clock() { printf '%d:%02d' $((SECONDS / 60)) $((SECONDS % 60)); }
+
+say() { printf '[%s] %s\n' "$(clock)" "$*"; }
+
+# Shows the last line of a stage's log until it is ended: at once on a terminal, else twice a minute.
+watch_log() { # LOG DESCRIPTION
+  local seconds=0 last
+  while sleep 1; do
+    seconds=$((seconds + 1))
+    last=$(tail -c 300 "$1" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')
+    if [ -n "$on_terminal" ]; then
+      printf '\r\033[K%.*s' $(($(tput cols 2>/dev/null || echo 80) - 1)) "[$(clock)] $2: $last"
+    elif [ $((seconds % 30)) = 0 ]; then
+      say "  ... ${last:0:100}"
+    fi
+  done 2>/dev/null
+}
+
+# Runs a command as one stage.  What it prints goes to a log, which is shown if it fails.
+stage() { # NAME DESCRIPTION COMMAND ...
+  local log=$logs/$1.log what=$2 began=$SECONDS status=0 watcher
+  shift 2
+  mkdir -p "$logs"
+  : >"$log"
+  if [ -n "$on_terminal" ]; then printf '[%s] %s' "$(clock)" "$what"; else say "$what ..."; fi
+  watch_log "$log" "$what" &
+  watcher=$!
+  # shellcheck disable=SC2064 # the id of this watcher
+  trap "kill $watcher 2>/dev/null || true" EXIT
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  kill "$watcher" 2>/dev/null || true
+  wait "$watcher" 2>/dev/null || true
+  trap - EXIT
+  if [ -n "$on_terminal" ]; then printf '\r\033[K'; fi
+  if [ "$status" != 0 ]; then
+    tail -n 100 "$log" >&2
+    fail "failed with exit code $status: $what (all of it: $log)"
+  fi
+  say "$what: done in $((SECONDS - began)) s"
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+apt_install() {
+  as_root apt-get update &&
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+}
+
+install_missing() { # PACKAGE ...
+  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+    fail "this is no Debian-like system (no dpkg-query or apt-get); it needs: $*"
+  local package missing=()
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q '^install ok installed$' ||
+      missing+=("$package")
+  done
+  if [ ${#missing[@]} = 0 ]; then
+    say "packages: all $# installed"
+    return
+  fi
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "run as root, or install sudo; packages are missing: ${missing[*]}"
+    sudo -v || fail "sudo refused; packages are missing: ${missing[*]}"
+  fi
+  stage packages "install ${missing[*]}" apt_install "${missing[@]}"
+}
+
+set_up() { # PACKAGE ...
+  local system
+  system=$(. /etc/os-release 2>/dev/null && echo "${ID:-} ${VERSION_ID:-}") || true
+  if [ "$system" != "debian 12" ]; then
+    say "note: made for Debian 12; this is ${system:-another system}"
+  fi
+  install_missing "$@"
+}
+
+build_program() {
+  stage configure "configure build/ (Release)" cmake --preset release -DBUILD_TESTING=OFF
+  stage build "build build/scarp" cmake --build build --target scarp -j "$processors"
+}
+
+reproduce() {
+  say "run build/scarp reproduce bui2008 --out $demo --cell 0.0025"
+  build/scarp reproduce bui2008 --out "$demo" --cell 0.0025
+}
+
+check_format() {
+  find core io render apps tests \( -name '*.cpp' -o -name '*.hpp' \) -print0 |
+    xargs -0 clang-format --dry-run -Werror
+}
+
+check_with_sanitizers() {
+  cmake --preset sanitize && cmake --build --preset sanitize -j "$processors" &&
+    ctest --preset sanitize
+}
+
+run_demo() {
+  set_up "${program_packages[@]}"
+  build_program
+  reproduce
+  say "finished.  Look at:"
+  find "$demo" -type f ! -name '*.vtp' | LC_ALL=C sort | sed 's/^/  /'
+}
+
+run_tests() {
+  # Tests run side by side: libgomp's threads must not spin while they wait for each other.
+  export OMP_WAIT_POLICY=passive
+  set_up "${program_packages[@]}" "${test_packages[@]}"
+  stage format "check formatting (clang-format)" check_format
+  stage configure "configure build/ (Release, warnings are errors)" cmake --preset ci
+  stage build "build program and tests" cmake --build --preset ci -j "$processors"
+  stage tidy "check sources (clang-tidy)" cmake --build --preset ci -j "$processors" --target tidy -- -k 0
+  stage sanitize "build and run unit tests with address and undefined-behaviour sanitizers" \
+    check_with_sanitizers
+  say "logs of these stages: $logs/; pictures that differ: build/tests/image/results/"
+  say "run all tests of build/ (ctest --preset ci)"
+  exec ctest --preset ci
+}
+
+# ParaView's Python modules are unpacked, not installed: their package conflicts with libvtk9-dev.
+unpack_paraview_modules() { # DIRECTORY
+  rm -rf "$1" && mkdir -p "$1" &&
+    (cd "$1" && apt-get download python3-paraview && dpkg-deb -x python3-paraview_*.deb .)
+}
+
+run_paraview() {
+  local modules=build/paraview
+  set_up "${program_packages[@]}" paraview
+  if ! [ -d $modules/usr ]; then
+    stage modules "unpack ParaView's Python modules" unpack_paraview_modules $modules
+  fi
+  build_program
+  if ! [ -f "$demo/run.json" ]; then reproduce; fi
+  say "let ParaView read $demo (pvbatch tests/end_to_end/paraview_reads_series.py)"
+  PYTHONPATH=$PWD/$modules/usr/lib/python3/dist-packages \
+    pvbatch tests/end_to_end/paraview_reads_series.py "$demo"
+}
+
+case "$#:${1:-}" in
+  1:demo) run_demo ;;
+  1:test) run_tests ;;
+  1:paraview) run_paraview ;;
+  *)
+    usage
+    exit 2
+    ;;
+esac

@@ -1,0 +1,4 @@
+find_program(SCARP_CCACHE ccache)
+if(SCARP_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SCARP_CCACHE})
+endif()

@@ -1,0 +1,105 @@
+#include "core/cell_order.hpp"
+
+#include <algorithm>
+
+namespace scarp {
+
+template <int Dim> void CellOrder<Dim>::update(Particles<Dim>& particles) {
+  const std::size_t points = particles.size();
+  const bool first = cell_of_.size() != points;
+  if (first) cell_of_.assign(points, -1);
+
+  std::size_t moved = 0;
+  const auto n = static_cast<std::int64_t>(points);
+#pragma omp parallel for schedule(static) reduction(+ : moved)
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const int cell = grid_->cell_of(particles.position(p));
+    if (cell != cell_of_[p]) {
+      cell_of_[p] = cell;
+      ++moved;
+    }
+  }
+  if (moved == 0) return;
+
+  moved_ += moved;
+  count_points(points);
+  if (first || static_cast<double>(moved_) > reorder_part * static_cast<double>(points))
+    reorder(particles);
+  if (occupied_ != previous_) find_nodes();
+}
+
+/// Counting sort by cell, stable in the rows.
+template <int Dim> void CellOrder<Dim>::count_points(std::size_t points) {
+  std::fill(count_.begin(), count_.end(), 0U);
+  for (const int cell : cell_of_) ++count_[static_cast<std::size_t>(cell)];
+
+  previous_.swap(occupied_);
+  occupied_.clear();
+  begin_.clear();
+  std::uint32_t start = 0;
+  for (std::size_t cell = 0; cell + 1 < count_.size(); ++cell) {
+    const std::uint32_t here = count_[cell];
+    if (here == 0) continue;
+    occupied_.push_back(static_cast<int>(cell));
+    begin_.push_back(start);
+    count_[cell] = start;
+    start += here;
+  }
+  begin_.push_back(start);
+
+  rows_.resize(points);
+  for (std::size_t p = 0; p < points; ++p)
+    rows_[count_[static_cast<std::size_t>(cell_of_[p])]++] = static_cast<std::uint32_t>(p);
+}
+
+template <int Dim> void CellOrder<Dim>::reorder(Particles<Dim>& particles) {
+  const auto permute = [this](auto& column) {
+    auto sorted = column;
+    const auto n = static_cast<std::int64_t>(rows_.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k)
+      sorted[static_cast<std::size_t>(k)] = column[rows_[static_cast<std::size_t>(k)]];
+    column.swap(sorted);
+  };
+  particles.for_each_column(permute);
+  permute(cell_of_);
+  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] = static_cast<std::uint32_t>(k);
+  moved_ = 0;
+}
+
+template <int Dim> void CellOrder<Dim>::find_nodes() {
+  for (const int cell : previous_) slot_[static_cast<std::size_t>(cell)] = -1;
+  std::vector<int> indices;
+  indices.reserve(2 * occupied_.size());
+  for (std::size_t s = 0; s < occupied_.size(); ++s) {
+    slot_[static_cast<std::size_t>(occupied_[s])] = static_cast<int>(s);
+    const int first = grid_->first_node(occupied_[s]);
+    for (const int offset : grid_->corner_offset) indices.push_back(first + offset);
+  }
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+
+  nodes_.clear();
+  nodes_.reserve(indices.size());
+  for (const int index : indices) {
+    Node node{index, {}};
+    for (int c = 0; c < corners; ++c) {
+      int cell = 0;
+      bool inside = true;
+      for (int a = 0; a < Dim; ++a) {
+        const auto i = static_cast<std::size_t>(a);
+        const int along = index / grid_->node_stride[i] % (grid_->cells[i] + 1) - (c >> a & 1);
+        inside = inside && along >= 0 && along < grid_->cells[i];
+        cell += along * grid_->cell_stride[i];
+      }
+      node.slot[static_cast<std::size_t>(c)] = inside ? slot_[static_cast<std::size_t>(cell)] : -1;
+    }
+    nodes_.push_back(node);
+  }
+}
+
+template class CellOrder<2>;
+template class CellOrder<3>;
+
+} // namespace scarp

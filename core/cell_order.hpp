@@ -1,0 +1,60 @@
+// Which points lie in which cell, and which cells and nodes a step touches.
+#pragma once
+
+#include "core/grid_index.hpp"
+#include "core/particles.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace scarp {
+
+/// The occupied cells in ascending order, each with its rows of Particles, and the nodes around
+/// them.
+///
+/// `rows` is brought up to date whenever a point has changed cell; the columns themselves are put
+/// into that order only once enough points have moved (`reorder_part`), since copying all state
+/// every step costs more than it saves.  Order depends on the state alone, never on threads.
+template <int Dim> class CellOrder {
+ public:
+  static constexpr int corners = GridIndex<Dim>::corners;
+
+  struct Node {
+    int index;                     ///< in the grid
+    std::array<int, corners> slot; ///< occupied cell of which this node is corner c, or -1
+  };
+
+  explicit CellOrder(const GridIndex<Dim>& grid)
+      : grid_(&grid), count_(static_cast<std::size_t>(grid.cell_count) + 1),
+        slot_(static_cast<std::size_t>(grid.cell_count), -1) {}
+
+  /// Assigns every point to its cell.  All points must lie in the grid.
+  void update(Particles<Dim>& particles);
+
+  std::size_t cells() const { return occupied_.size(); }
+  int cell(std::size_t slot) const { return occupied_[slot]; }
+  std::size_t begin(std::size_t slot) const { return begin_[slot]; }
+  std::size_t end(std::size_t slot) const { return begin_[slot + 1]; }
+  std::uint32_t row(std::size_t k) const { return rows_[k]; }
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+ private:
+  static constexpr double reorder_part = 0.05;
+
+  void count_points(std::size_t points);
+  void find_nodes();
+  void reorder(Particles<Dim>& particles);
+
+  const GridIndex<Dim>* grid_;
+  std::vector<int> cell_of_;         ///< of each row
+  std::vector<std::uint32_t> count_; ///< scratch of the counting sort
+  std::vector<int> slot_;            ///< cell -> occupied slot or -1
+  std::vector<int> occupied_, previous_;
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> rows_;
+  std::vector<Node> nodes_;
+  std::size_t moved_ = 0; ///< cell changes since the columns were last put into order
+};
+
+} // namespace scarp

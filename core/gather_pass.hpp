@@ -1,0 +1,68 @@
+// Cells to points (G2P): the points' velocities and the step's displacement; for MUSL the new
+// momenta go back to the cells' corners in the same sweep.
+#pragma once
+
+#include "core/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scarp {
+
+/// dx_p = dt sum_I N_I v_I
+/// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
+/// Remap: (m v)_I = sum_p m_p v_p N_I.
+/// Returns the largest |v_p|, m/s.
+template <int Dim, bool remap> Real gather_pass(State<Dim>& state, Real flip, Real dt) {
+  constexpr std::size_t corners = GridIndex<Dim>::corners;
+  Particles<Dim>& points = state.particles;
+  Real fastest2 = 0.0;
+  const auto n = static_cast<std::int64_t>(state.order.cells());
+#pragma omp parallel for schedule(static) reduction(max : fastest2)
+  for (std::int64_t s = 0; s < n; ++s) {
+    const auto slot = static_cast<std::size_t>(s);
+    const int cell = state.order.cell(slot);
+    const int first = state.grid.first_node(cell);
+    std::array<Vec<Dim>, corners> v_I;
+    std::array<Vec<Dim>, corners> dv_I;
+    for (std::size_t c = 0; c < corners; ++c) {
+      const auto& node =
+          state.nodal.nodes[static_cast<std::size_t>(first + state.grid.corner_offset[c])];
+      v_I[c] = node.v;
+      dv_I[c] = node.dv;
+    }
+    std::array<Vec<Dim>, corners> mv_I = {};
+    const Vec<Dim> corner = corner_of(state.grid, cell);
+
+    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+      const std::size_t p = state.order.row(k);
+      const LinearShape<Dim> shape = shape_at(state, corner, p);
+      Vec<Dim> v_grid = {};
+      Vec<Dim> dv_grid = {};
+      for (std::size_t c = 0; c < corners; ++c) {
+        for (std::size_t i = 0; i < Dim; ++i) {
+          v_grid[i] += shape.N[c] * v_I[c][i];
+          dv_grid[i] += shape.N[c] * dv_I[c][i];
+        }
+      }
+      Vec<Dim> v_p;
+      Real v2 = 0.0;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
+        points.v[i][p] = v_p[i];
+        points.dx[i][p] = dt * v_grid[i];
+        v2 += v_p[i] * v_p[i];
+      }
+      fastest2 = std::max(fastest2, v2);
+      if constexpr (remap) {
+        const Real m = points.m[p];
+        for (std::size_t c = 0; c < corners; ++c)
+          for (std::size_t i = 0; i < Dim; ++i) mv_I[c][i] += m * v_p[i] * shape.N[c];
+      }
+    }
+    if constexpr (remap) state.nodal.tiles[slot].mv = mv_I;
+  }
+  return std::sqrt(fastest2);
+}
+
+} // namespace scarp

@@ -1,0 +1,58 @@
+// The material points: all state, as structure of arrays.
+#pragma once
+
+#include "core/types.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace scarp {
+
+using Column = std::vector<Real>;
+
+/// Row p of every column belongs to one material point.  Rows are kept sorted by cell; `id` is the
+/// point's place in the order of creation and never changes.
+template <int Dim> struct Particles {
+  std::array<Column, Dim> x;                ///< m, position
+  std::array<Column, Dim> v;                ///< m/s
+  std::array<Column, Dim> dx;               ///< m, displacement of the current step
+  std::array<Column, tensor_size<Dim>> tau; ///< Pa, Kirchhoff stress (see core/stress_pass.hpp)
+  Column m;                                 ///< kg (per metre of depth in plane strain)
+  Column V0;                                ///< m3 (m2 in plane strain), volume before loading
+  Column J;                                 ///< -, volume / V0
+  Column plastic_strain;                    ///< -, equivalent, deviatoric
+  Column dissipation;                       ///< J/m3 of V0, plastic work so far
+  std::vector<std::uint32_t> id;
+  std::vector<std::uint8_t> material; ///< index into Scene::materials
+  std::vector<std::uint8_t> region;   ///< index into Scene::regions
+
+  std::size_t size() const { return id.size(); }
+
+  Vec<Dim> position(std::size_t p) const { return at(x, p); }
+  Vec<Dim> velocity(std::size_t p) const { return at(v, p); }
+
+  /// Calls visit(column) for every column, whatever its type.
+  template <class Visit> void for_each_column(Visit&& visit) {
+    for (auto& column : x) visit(column);
+    for (auto& column : v) visit(column);
+    for (auto& column : dx) visit(column);
+    for (auto& column : tau) visit(column);
+    visit(m);
+    visit(V0);
+    visit(J);
+    visit(plastic_strain);
+    visit(dissipation);
+    visit(id);
+    visit(material);
+    visit(region);
+  }
+
+ private:
+  static Vec<Dim> at(const std::array<Column, Dim>& columns, std::size_t p) {
+    Vec<Dim> value;
+    for (std::size_t i = 0; i < Dim; ++i) value[i] = columns[i][p];
+    return value;
+  }
+};
+
+} // namespace scarp

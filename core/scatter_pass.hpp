@@ -1,0 +1,56 @@
+// Points to cells (P2G): lumped mass, momentum and internal force of a cell's corners.
+#pragma once
+
+#include "core/state.hpp"
+
+namespace scarp {
+
+enum class Terms { mass_momentum, force, all };
+
+/// m_I = sum_p m_p N_I,  (m v)_I = sum_p m_p v_p N_I,
+/// f_I = - sum_p V0_p tau_p . grad N_I                                     (Wu 2017, section 1)
+/// with the Kirchhoff stress tau = J sigma, so V0 tau = V sigma: see core/stress_pass.hpp.
+template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
+  constexpr bool momentum = terms != Terms::force;
+  constexpr bool force = terms != Terms::mass_momentum;
+  state.nodal.tiles.resize(state.order.cells());
+  const Particles<Dim>& points = state.particles;
+
+  for_each_cell(state, [&](std::size_t slot) {
+    CellTile<Dim> tile = state.nodal.tiles[slot];
+    if constexpr (momentum) {
+      tile.m = {};
+      tile.mv = {};
+    }
+    if constexpr (force) tile.f = {};
+    const Vec<Dim> corner = corner_of(state.grid, state.order.cell(slot));
+
+    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+      const std::size_t p = state.order.row(k);
+      const LinearShape<Dim> shape = shape_at(state, corner, p);
+      [[maybe_unused]] const Real m = points.m[p];
+      [[maybe_unused]] const Real V0 = points.V0[p];
+      Vec<Dim> mv;
+      Mat<Dim> V_sigma;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        mv[i] = m * points.v[i][p];
+        for (std::size_t j = 0; j < Dim; ++j)
+          V_sigma[i][j] =
+              V0 * points.tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][p];
+      }
+      for (std::size_t c = 0; c < shape.nodes; ++c) {
+        if constexpr (momentum) {
+          tile.m[c] += m * shape.N[c];
+          for (std::size_t i = 0; i < Dim; ++i) tile.mv[c][i] += mv[i] * shape.N[c];
+        }
+        if constexpr (force) {
+          for (std::size_t i = 0; i < Dim; ++i)
+            for (std::size_t j = 0; j < Dim; ++j) tile.f[c][i] -= V_sigma[i][j] * shape.dN[c][j];
+        }
+      }
+    }
+    state.nodal.tiles[slot] = tile;
+  });
+}
+
+} // namespace scarp

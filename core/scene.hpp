@@ -1,0 +1,129 @@
+// What to simulate: one plain value that a scene file, a test or another program fills in.
+// Every quantity is SI; every angle in the interface is in degrees.
+//
+// Axes: x to the right, y into the page, z up.  In plane strain (dimension 2) y is the axis that is
+// neither computed nor stored; arrays of three then carry an unused middle entry.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scarp {
+
+/// When stress is updated within a step: before the momentum (USF), after it with the nodal
+/// velocities of the first mapping (USL), or after it with the points' updated momenta mapped to
+/// the grid again (MUSL; Sulsky, Zhou & Schreyer 1995, Comput. Phys. Commun. 87:236).
+enum class Scheme { usf, usl, musl };
+
+/// Which Drucker-Prager cone stands for Mohr-Coulomb: in the pi plane inscribed ('+') or
+/// circumscribed ('-'), or the match in plane strain.
+enum class Cone { inscribed, circumscribed, plane_strain };
+
+/// What a side of the domain does to the nodes on it.
+/// fixed: no velocity; symmetry: no normal velocity; free: nothing;
+/// friction: no velocity into the wall, Coulomb friction along it.
+enum class WallKind { fixed, symmetry, free, friction };
+
+struct Wall {
+  WallKind kind = WallKind::free;
+  double friction_coefficient = 0.0; ///< -, used by WallKind::friction only
+};
+
+/// A plane x = position or z = position (axis 0 or 2; 1 in 3-D) that acts as a symmetry plane until
+/// release_time.  It must lie on a grid plane.
+struct Gate {
+  std::string name;
+  int axis = 0;              ///< 0 = x, 1 = y, 2 = z
+  double position = 0.0;     ///< m
+  double release_time = 0.0; ///< s
+};
+
+struct LinearElastic {};
+
+/// Drucker-Prager with a tension cut-off, non-associated; see core/drucker_prager.hpp.
+struct DruckerPrager {
+  double cohesion = 0.0;       ///< Pa
+  double friction_angle = 0.0; ///< degrees
+  double dilation_angle = 0.0; ///< degrees
+  Cone cone = Cone::inscribed;
+  /// Pa, largest mean stress (tension positive); the apex of the cone bounds it from above, so
+  /// infinity means "at the apex".
+  double tension_cutoff = std::numeric_limits<double>::infinity();
+};
+
+struct Material {
+  std::string name;
+  double density = 0.0;        ///< kg/m3, before loading
+  double youngs_modulus = 0.0; ///< Pa
+  double poissons_ratio = 0.0; ///< -
+  std::variant<LinearElastic, DruckerPrager> law;
+};
+
+/// A body part: a polygon in the x-z plane, in 3-D extruded along y.  A point belongs to the first
+/// region that holds it.
+struct Region {
+  std::string name;
+  std::string material;                       ///< Material::name
+  std::vector<std::array<double, 2>> polygon; ///< m, (x, z), simple, either sense of rotation
+  std::array<double, 2> depth = {0.0, 0.0};   ///< m, y from .. to; used in 3-D only
+  std::array<double, 3> velocity = {0, 0, 0}; ///< m/s at time 0
+};
+
+struct Grid {
+  int dimension = 2;                       ///< 2: plane strain, 3: full
+  double cell_size = 0.0;                  ///< m
+  std::array<double, 3> lower = {0, 0, 0}; ///< m; a multiple of cells lies between lower and upper
+  std::array<double, 3> upper = {0, 0, 0}; ///< m
+  int points_per_cell = 2;                 ///< along each axis: the lattice that regions fill
+  /// walls[axis][0] the lower side, walls[axis][1] the upper side; axis 1 is unused in plane
+  /// strain.
+  std::array<std::array<Wall, 2>, 3> walls = {};
+};
+
+struct Method {
+  Scheme scheme = Scheme::musl;
+  double flip = 1.0;          ///< part of FLIP in the velocity update, 1 - flip of PIC
+  double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1
+};
+
+struct Timing {
+  double end_time = 0.0;        ///< s
+  double output_interval = 0.0; ///< s between frames
+  /// s between rows of the history, which take the first step at or after it; 0: a tenth of
+  /// output_interval.
+  double history_interval = 0.0;
+  double cfl = 0.3;                                               ///< part of the critical step
+  double max_time_step = std::numeric_limits<double>::infinity(); ///< s
+  /// The run ends once the kinetic energy of the nodes (Energies::grid_kinetic) has stayed below
+  /// this part of its peak for rest_duration; 0 = never.
+  double rest_energy_fraction = 0.0;
+  double rest_duration = 0.0; ///< s
+};
+
+/// A point to be followed in history.csv: the material point nearest to this place at time 0.
+struct Monitor {
+  std::string name;
+  std::array<double, 3> position = {0, 0, 0}; ///< m
+};
+
+struct Output {
+  std::vector<std::string> fields; ///< names of core/fields.hpp; empty: all
+};
+
+struct Scene {
+  std::string title;
+  Grid grid;
+  Timing timing;
+  Method method;
+  std::array<double, 3> gravity = {0.0, 0.0, -9.81}; ///< m/s2
+  std::vector<Material> materials;
+  std::vector<Region> regions;
+  std::vector<Gate> gates;
+  std::vector<Monitor> monitors;
+  Output output;
+};
+
+} // namespace scarp

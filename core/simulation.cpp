@@ -1,0 +1,374 @@
+#include "core/simulation.hpp"
+
+#include "core/fields.hpp"
+#include "core/gather_pass.hpp"
+#include "core/lattice.hpp"
+#include "core/node_pass.hpp"
+#include "core/scatter_pass.hpp"
+#include "core/stress_pass.hpp"
+#include "core/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <variant>
+
+namespace scarp {
+
+namespace {
+
+using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate>;
+
+/// A material with everything that its constants give, worked out once.
+struct MaterialModel {
+  ElasticModuli moduli;
+  Real wave_speed; ///< m/s, of the unloaded material
+  AnyUpdate update;
+
+  explicit MaterialModel(const Material& material)
+      : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
+        wave_speed(std::sqrt(moduli.p_wave() / material.density)) {
+    if (const auto* law = std::get_if<DruckerPrager>(&material.law))
+      update = DruckerPragerUpdate::from(*law, moduli);
+  }
+};
+
+template <int Dim> class SimulationOf final : public Simulation {
+ public:
+  explicit SimulationOf(const Scene& scene)
+      : scene_(scene), state_(scene.grid, fill_regions<Dim>(scene)), walls_(scene, state_.grid) {
+    for (const Material& material : scene.materials) materials_.emplace_back(material);
+    for (int a = 0; a < Dim; ++a)
+      gravity_[static_cast<std::size_t>(a)] = scene.gravity[scene_axis<Dim>(a)];
+    start_positions_ = positions();
+    state_.order.update(state_.particles);
+    for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
+    start_ = energies();
+  }
+
+  double step(double until) override {
+    const auto [dt, end] = next_step(until);
+    const Scheme scheme = scene_.method.scheme;
+    walls_.open_gates(time_);
+
+    if (scheme == Scheme::usf) {
+      scatter_pass<Dim, Terms::mass_momentum>(state_);
+      gather_momentum_pass(state_, walls_);
+      update_stress_of_all(dt);
+      scatter_pass<Dim, Terms::force>(state_);
+    } else {
+      scatter_pass<Dim, Terms::all>(state_);
+      gather_momentum_pass(state_, walls_);
+    }
+    advance_momentum_pass(state_, walls_, gravity_, scene_.method.local_damping, dt);
+    add_up_losses();
+
+    if (scheme == Scheme::musl) {
+      fastest_ = gather_pass<Dim, true>(state_, scene_.method.flip, dt);
+      remap_velocity_pass(state_, walls_);
+    } else {
+      fastest_ = gather_pass<Dim, false>(state_, scene_.method.flip, dt);
+    }
+    check_positions();
+    if (scheme != Scheme::usf) update_stress_of_all(dt);
+    check_volumes();
+
+    move_points();
+    time_ = end;
+    ++steps_;
+    return dt;
+  }
+
+  int dimension() const override { return Dim; }
+  double time() const override { return time_; }
+  long steps() const override { return steps_; }
+  std::size_t points() const override { return state_.particles.size(); }
+  std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
+  std::size_t occupied_cells() const override { return state_.order.cells(); }
+
+  double stable_time_step() const override {
+    Real wave_speed = 0.0;
+    for (const MaterialModel& material : materials_)
+      wave_speed = std::max(wave_speed, material.wave_speed);
+    return std::min(scene_.timing.max_time_step,
+                    scene_.timing.cfl * state_.grid.h / (wave_speed + fastest_));
+  }
+
+  Energies energies() const override;
+
+  double front() const override {
+    return *std::max_element(state_.particles.x[0].begin(), state_.particles.x[0].end());
+  }
+
+  std::vector<PlanLine> plan() const override;
+  std::vector<double> positions() const override;
+  std::vector<double> field(const std::string& name) const override;
+
+  std::size_t nearest_point(const std::array<double, 3>& place) const override {
+    std::size_t nearest = 0;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (std::size_t p = 0; p < points(); ++p) {
+      Real distance2 = 0.0;
+      for (int a = 0; a < Dim; ++a) {
+        const Real d =
+            state_.particles.x[static_cast<std::size_t>(a)][p] - place[scene_axis<Dim>(a)];
+        distance2 += d * d;
+      }
+      const std::size_t id = state_.particles.id[p];
+      if (distance2 < least || (distance2 == least && id < nearest)) {
+        least = distance2;
+        nearest = id;
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  struct NextStep {
+    double dt;   ///< s
+    double time; ///< s, at its end
+  };
+
+  /// dt = min(CFL, the user's maximum), afresh each step.  `until` and the opening of gates are met
+  /// to the bit; the last two steps before them share what is left.
+  NextStep next_step(double until) const {
+    const double target = std::min(until, walls_.next_opening(time_));
+    const double left = target - time_;
+    const double dt = stable_time_step();
+    if (left > 2.0 * dt) return {dt, time_ + dt};
+    if (left > dt) return {0.5 * left, time_ + 0.5 * left};
+    return {left, target};
+  }
+
+  void update_stress_of_all(Real dt) {
+    for (std::size_t k = 0; k < materials_.size(); ++k)
+      std::visit(
+          [&](const auto& law) {
+            stress_pass<Dim>(state_, static_cast<std::uint8_t>(k), materials_[k].moduli, law, dt);
+          },
+          materials_[k].update);
+  }
+
+  void add_up_losses() {
+    if (scene_.method.local_damping == 0.0 && !walls_.have_friction()) return;
+    for (const auto& at : state_.order.nodes()) {
+      damping_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].damped;
+      friction_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].rubbed;
+    }
+  }
+
+  void move_points() {
+    Particles<Dim>& points = state_.particles;
+    const auto n = static_cast<std::int64_t>(points.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < Dim; ++i)
+        points.x[i][static_cast<std::size_t>(k)] += points.dx[i][static_cast<std::size_t>(k)];
+    state_.order.update(points);
+  }
+
+  Real speed(std::size_t p) const {
+    Real v2 = 0.0;
+    for (const Column& v : state_.particles.v) v2 += v[p] * v[p];
+    return std::sqrt(v2);
+  }
+
+  void check_positions() const {
+    check(
+        [this](std::size_t p) {
+          Vec<Dim> x = state_.particles.position(p);
+          for (std::size_t i = 0; i < Dim; ++i) x[i] += state_.particles.dx[i][p];
+          return state_.grid.contains(x);
+        },
+        "leaves the grid or is no number any more", "enlarge the grid, or lower time.cfl");
+  }
+
+  void check_volumes() const {
+    check([this](std::size_t p) { return state_.particles.J[p] > 0.0; }, "has a negative volume",
+          "lower time.cfl, or look for a point thrown against a wall");
+  }
+
+  /// Throws for the first point, in order of creation, that is not good.
+  template <class Good>
+  void check(Good&& good, const std::string& complaint, const std::string& advice) const {
+    const auto n = static_cast<std::int64_t>(points());
+    std::uint32_t bad = no_point;
+#pragma omp parallel for schedule(static) reduction(min : bad)
+    for (std::int64_t k = 0; k < n; ++k) {
+      const auto p = static_cast<std::size_t>(k);
+      if (!good(p)) bad = std::min(bad, state_.particles.id[p]);
+    }
+    if (bad == no_point) return;
+    const auto& id = state_.particles.id;
+    const auto p = static_cast<std::size_t>(std::find(id.begin(), id.end(), bad) - id.begin());
+    std::array<double, 3> x = {0.0, 0.0, 0.0};
+    for (int a = 0; a < Dim; ++a)
+      x[scene_axis<Dim>(a)] = state_.particles.x[static_cast<std::size_t>(a)][p];
+    std::ostringstream text;
+    text << "step " << steps_ + 1 << ", time " << time_ << " s: point " << bad
+         << " at x = " << x[0];
+    if constexpr (Dim == 3) text << ", y = " << x[1];
+    text << ", z = " << x[2] << " m (speed " << speed(p) << " m/s) " << complaint
+         << "; try: " << advice;
+    throw RunError(text.str(), steps_ + 1, time_, bad, x);
+  }
+
+  static constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
+
+  Scene scene_;
+  State<Dim> state_;
+  Walls<Dim> walls_;
+  std::vector<MaterialModel> materials_;
+  Vec<Dim> gravity_;
+  std::vector<double> start_positions_;
+  Energies start_;
+  Real fastest_ = 0.0;         ///< m/s, largest speed of a point
+  double damping_work_ = 0.0;  ///< J
+  double friction_work_ = 0.0; ///< J
+  double time_ = 0.0;
+  long steps_ = 0;
+};
+
+template <int Dim> Energies SimulationOf<Dim>::energies() const {
+  const Particles<Dim>& points = state_.particles;
+  Energies now;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    Real v2 = 0.0;
+    Real g_x = 0.0;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      v2 += points.v[i][p] * points.v[i][p];
+      g_x += gravity_[i] * points.x[i][p];
+    }
+    now.kinetic += 0.5 * points.m[p] * v2;
+    now.gravitational -= points.m[p] * g_x;
+    now.plastic += points.V0[p] * points.dissipation[p];
+
+    // psi = sigma_m^2 / 2K + s:s / 4G
+    const ElasticModuli& moduli = materials_[points.material[p]].moduli;
+    Real mean = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) mean += points.tau[i][p] / 3.0;
+    Real s2 = 0.0;
+    for (std::size_t i = 0; i < points.tau.size(); ++i) {
+      const Real s = points.tau[i][p] - (i < 3 ? mean : 0.0);
+      s2 += (i < 3 ? 1.0 : 2.0) * s * s;
+    }
+    now.strain += points.V0[p] * (0.5 * mean * mean / moduli.bulk + 0.25 * s2 / moduli.shear);
+  }
+  for (const auto& at : state_.order.nodes()) {
+    const NodeState<Dim>& node = state_.nodal.nodes[static_cast<std::size_t>(at.index)];
+    for (const Real v : node.v) now.grid_kinetic += 0.5 * node.m * v * v;
+  }
+  now.damping = damping_work_;
+  now.wall_friction = friction_work_;
+  now.gravity_work = start_.gravitational - now.gravitational;
+  now.scheme_loss = now.gravity_work - (now.kinetic - start_.kinetic) -
+                    (now.strain - start_.strain) - now.plastic - now.damping - now.wall_friction;
+  return now;
+}
+
+template <int Dim> std::vector<double> SimulationOf<Dim>::positions() const {
+  const Particles<Dim>& points = state_.particles;
+  std::vector<double> values(3 * points.size(), 0.0);
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (int a = 0; a < Dim; ++a)
+      values[3 * points.id[p] + scene_axis<Dim>(a)] = points.x[static_cast<std::size_t>(a)][p];
+  return values;
+}
+
+template <int Dim> std::vector<double> SimulationOf<Dim>::field(const std::string& name) const {
+  const Particles<Dim>& points = state_.particles;
+  const auto components = static_cast<std::size_t>(field_info(name).components);
+  std::vector<double> values(components * points.size(), 0.0);
+
+  const auto scalar = [&](auto&& value) {
+    for (std::size_t p = 0; p < points.size(); ++p) values[points.id[p]] = value(p);
+  };
+  const auto mean_stress = [&](std::size_t p) {
+    return (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) / (3.0 * points.J[p]);
+  };
+  if (name == "displacement") {
+    values = positions();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= start_positions_[i];
+  } else if (name == "velocity") {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (int a = 0; a < Dim; ++a)
+        values[3 * points.id[p] + scene_axis<Dim>(a)] = points.v[static_cast<std::size_t>(a)][p];
+  } else if (name == "stress") {
+    // xx yy zz xy yz xz of the scene's axes from the core's components
+    constexpr std::array<std::size_t, tensor_size<Dim>> place = [] {
+      if constexpr (Dim == 2)
+        return std::array<std::size_t, 4>{0, 2, 1, 5};
+      else
+        return std::array<std::size_t, 6>{0, 1, 2, 3, 4, 5};
+    }();
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (std::size_t i = 0; i < place.size(); ++i)
+        values[6 * points.id[p] + place[i]] = points.tau[i][p] / points.J[p];
+  } else if (name == "mean_stress") {
+    scalar(mean_stress);
+  } else if (name == "deviatoric_stress") {
+    scalar([&](std::size_t p) {
+      Real J2 = 0.0;
+      for (std::size_t i = 0; i < points.tau.size(); ++i) {
+        const Real s = points.tau[i][p] / points.J[p] - (i < 3 ? mean_stress(p) : 0.0);
+        J2 += (i < 3 ? 0.5 : 1.0) * s * s;
+      }
+      return std::sqrt(J2);
+    });
+  } else if (name == "equivalent_plastic_strain") {
+    scalar([&](std::size_t p) { return points.plastic_strain[p]; });
+  } else if (name == "density") {
+    scalar([&](std::size_t p) { return points.m[p] / (points.V0[p] * points.J[p]); });
+  } else if (name == "volume") {
+    scalar([&](std::size_t p) { return points.V0[p] * points.J[p]; });
+  } else if (name == "initial_volume") {
+    scalar([&](std::size_t p) { return points.V0[p]; });
+  } else if (name == "region") {
+    scalar([&](std::size_t p) { return static_cast<double>(points.region[p]); });
+  }
+  return values;
+}
+
+template <int Dim> std::vector<PlanLine> SimulationOf<Dim>::plan() const {
+  const Method& method = scene_.method;
+  const auto scheme = [&] {
+    switch (method.scheme) {
+    case Scheme::usf:
+      return "USF: stress before the momentum, no second mapping";
+    case Scheme::usl:
+      return "USL: stress after the momentum, no second mapping";
+    case Scheme::musl:
+      break;
+    }
+    return "MUSL: stress after a second mapping of the momenta";
+  };
+  bool plastic = false;
+  for (const Material& material : scene_.materials)
+    plastic = plastic || std::holds_alternative<DruckerPrager>(material.law);
+  return {
+      {"kinematics", Dim == 2
+                         ? "plane strain, linear shape functions; y is neither computed nor stored"
+                         : "three-dimensional, linear shape functions"},
+      {"scheme", scheme()},
+      {"plasticity", plastic ? "Drucker-Prager" : "none, skipped"},
+      {"local damping", method.local_damping > 0.0 ? "on" : "none, skipped"},
+      {"friction walls", walls_.have_friction() ? "on" : "none, skipped"},
+      {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},
+  };
+}
+
+} // namespace
+
+std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
+  switch (scene.grid.dimension) {
+  case 2:
+    return std::make_unique<SimulationOf<2>>(scene);
+  case 3:
+    return std::make_unique<SimulationOf<3>>(scene);
+  default:
+    throw SetupError("grid.dimension must be 2 or 3");
+  }
+}
+
+} // namespace scarp

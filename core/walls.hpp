@@ -1,0 +1,64 @@
+// What the domain's sides and the gates do to nodal velocities.
+#pragma once
+
+#include "core/grid_index.hpp"
+#include "core/nodes.hpp"
+#include "core/scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace scarp {
+
+/// Constraints by node.  Fixed and symmetry sides take velocity components away, both from the
+/// velocity before and after the step, so that they exchange no momentum with the FLIP increment;
+/// friction sides act as an impulse once a step.
+template <int Dim> class Walls {
+ public:
+  Walls(const Scene& scene, const GridIndex<Dim>& grid);
+
+  /// Opens the gates whose time has come.
+  void open_gates(double time);
+
+  /// Time of the next opening after `time`, or infinity.
+  double next_opening(double time) const;
+
+  /// Takes the constrained components of v away.
+  void constrain(int node, Vec<Dim>& v) const {
+    const std::uint8_t mask = held_[static_cast<std::size_t>(node)];
+    for (std::size_t i = 0; i < Dim; ++i)
+      if (mask >> i & 1U) v[i] = 0.0;
+  }
+
+  /// Coulomb's law along friction sides: the impulse that stops the motion into the wall allows a
+  /// tangential impulse of at most `friction_coefficient` times it.
+  void resist(int node, Vec<Dim>& v) const {
+    if (!rubs_.empty()) rub(node, v, true);
+  }
+
+  bool have_friction() const { return !rubs_.empty(); }
+
+  /// Only the normal part of `resist`, for velocities that are mapped again within the step.
+  void hold_back(int node, Vec<Dim>& v) const {
+    if (!rubs_.empty()) rub(node, v, false);
+  }
+
+ private:
+  struct Side {
+    std::size_t axis;
+    Real inward; ///< +1 at the lower side, -1 at the upper side
+    Real friction;
+  };
+
+  void rebuild(double time);
+  void rub(int node, Vec<Dim>& v, bool tangential) const;
+
+  const GridIndex<Dim>* grid_;
+  std::array<std::array<Wall, 2>, Dim> sides_;
+  std::vector<Gate> gates_;
+  std::vector<std::uint8_t> held_; ///< by node: bit i, component i is held at 0
+  std::vector<std::uint8_t> rubs_; ///< by node: bit k, friction side k; empty if there is none
+  std::vector<Side> friction_sides_;
+};
+
+} // namespace scarp

@@ -1,0 +1,68 @@
+// Which column of a frame is drawn, its label, and the range of its colours.
+#pragma once
+
+#include "io/frame.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace scarp::render {
+
+/// A scalar of the points.  Component -1: the scalar itself or a vector's magnitude; 0...2 or
+/// 0...5: one component of a vector or tensor.
+struct Field {
+  std::string name = "equivalent_plastic_strain";
+  int component = -1;
+
+  bool operator==(const Field&) const = default;
+};
+
+/// One value a point.  Throws std::runtime_error if there is no such column, std::invalid_argument
+/// if there is no such component or a tensor is asked for its magnitude.
+std::vector<double> field_values(const io::Frame& frame, const Field& field);
+
+/// "velocity magnitude", "stress xx", "equivalent plastic strain"; underscores of unknown names
+/// become blanks.
+std::string field_label(const io::Frame& frame, const Field& field);
+/// "m/s", "Pa"; "-" if the field has no dimension, empty if it is unknown.
+std::string field_unit(const Field& field);
+/// Whether the values are numbers of things, such as `region`, not quantities.
+bool is_category(const Field& field);
+
+/// The values of one frame or several: all of them, and all but the most extreme one per cent at
+/// each end.
+struct ValueSpread {
+  double least = 0.0;
+  double largest = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Not-a-number values do not count; without values all members are 0.
+ValueSpread value_spread(const io::Frame& frame, const Field& field);
+ValueSpread united(const ValueSpread& a, const ValueSpread& b);
+
+/// Band b holds lower + b (upper - lower) / bands and more.  Values beyond an end take the last
+/// band's colour; the bar then ends in an arrow.
+struct ColourRange {
+  double lower = 0.0;
+  double upper = 1.0;
+  int bands = 12;
+  bool values_below = false;
+  bool values_above = false;
+
+  std::vector<double> edges() const; ///< bands + 1 values
+  bool operator==(const ColourRange&) const = default;
+};
+
+/// Covers low...high of the spread with at most `most_bands` bands of a round width, from 0 if the
+/// values come near it.
+ColourRange round_range(const ValueSpread& spread, int most_bands);
+
+/// One range for all frames of a series.  For a series too large for memory unite the spreads frame
+/// by frame.  Throws as field_values().
+ColourRange common_range(std::span<const io::Frame> frames, const Field& field,
+                         int most_bands = 12);
+
+} // namespace scarp::render
