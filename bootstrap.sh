@@ -80,13 +80,15 @@ as_root() {
 }
 
 apt_install() {
-  as_root apt-get update &&
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+  as_root apt-get update -o Acquire::Retries=3 &&
+    as_root env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y --no-install-recommends -o Acquire::Retries=3 "$@"
 }
 
 install_missing() { # PACKAGE ...
-  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     fail "this is no Debian-like system (no dpkg-query or apt-get); it needs: $*"
+  fi
   local package missing=()
   for package in "$@"; do
     dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q '^install ok installed$' ||
@@ -106,6 +108,7 @@ install_missing() { # PACKAGE ...
 
 set_up() { # PACKAGE ...
   local system
+  # shellcheck source=/dev/null
   system=$(. /etc/os-release 2>/dev/null && echo "${ID:-} ${VERSION_ID:-}") || true
   if [ "$system" != "debian 12" ]; then
     say "note: made for Debian 12; this is ${system:-another system}"
@@ -142,8 +145,6 @@ run_demo() {
 }
 
 run_tests() {
-  # Tests run side by side: libgomp's threads must not spin while they wait for each other.
-  export OMP_WAIT_POLICY=passive
   set_up "${program_packages[@]}" "${test_packages[@]}"
   stage format "check formatting (clang-format)" check_format
   stage configure "configure build/ (Release, warnings are errors)" cmake --preset ci
@@ -158,7 +159,7 @@ run_tests() {
 
 # ParaView's Python modules are unpacked, not installed: their package conflicts with libvtk9-dev.
 unpack_paraview_modules() { # DIRECTORY
-  rm -rf "$1" && mkdir -p "$1" &&
+  rm -rf "$1" && mkdir -p "$1" && as_root apt-get update -o Acquire::Retries=3 &&
     (cd "$1" && apt-get download python3-paraview && dpkg-deb -x python3-paraview_*.deb .)
 }
 

@@ -4,6 +4,9 @@ add_library(scarp_options INTERFACE)
 target_include_directories(scarp_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(scarp_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>) # GCC bug 105651
+# Neither changes a value: the first says that nobody reads errno, the second that nobody reads the
+# processor's exception flags.  Without them no loop with a square root or a choice is vectorised.
+target_compile_options(scarp_options INTERFACE -fno-math-errno -fno-trapping-math)
 if(SCARP_WERROR)
   target_compile_options(scarp_options INTERFACE -Werror)
 endif()

@@ -68,33 +68,31 @@ template <int Dim> void CellOrder<Dim>::reorder(Particles<Dim>& particles) {
   moved_ = 0;
 }
 
+/// A cell is known by its lowest node here: the cell of which node n is corner c has the lowest node
+/// n - corner_offset[c], and where there is no such cell, no cell ever has that one.
 template <int Dim> void CellOrder<Dim>::find_nodes() {
-  for (const int cell : previous_) slot_[static_cast<std::size_t>(cell)] = -1;
-  std::vector<int> indices;
-  indices.reserve(2 * occupied_.size());
-  for (std::size_t s = 0; s < occupied_.size(); ++s) {
-    slot_[static_cast<std::size_t>(occupied_[s])] = static_cast<int>(s);
-    const int first = grid_->first_node(occupied_[s]);
-    for (const int offset : grid_->corner_offset) indices.push_back(first + offset);
+  const int padding = grid_->corner_offset.back();
+  const auto slot_at = [&](int node) -> int& {
+    return slot_[static_cast<std::size_t>(node + padding)];
+  };
+  for (const int cell : previous_) {
+    const int first = grid_->first_node(cell);
+    slot_at(first) = -1;
+    for (const int offset : grid_->corner_offset) active_[static_cast<std::size_t>(first + offset)] = 0;
   }
-  std::sort(indices.begin(), indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  for (std::size_t s = 0; s < occupied_.size(); ++s) {
+    const int first = grid_->first_node(occupied_[s]);
+    slot_at(first) = static_cast<int>(s);
+    for (const int offset : grid_->corner_offset) active_[static_cast<std::size_t>(first + offset)] = 1;
+  }
 
   nodes_.clear();
-  nodes_.reserve(indices.size());
-  for (const int index : indices) {
+  const int begin = grid_->first_node(occupied_.front());
+  const int end = grid_->first_node(occupied_.back()) + padding + 1;
+  for (int index = begin; index < end; ++index) {
+    if (active_[static_cast<std::size_t>(index)] == 0) continue;
     Node node{index, {}};
-    for (int c = 0; c < corners; ++c) {
-      int cell = 0;
-      bool inside = true;
-      for (int a = 0; a < Dim; ++a) {
-        const auto i = static_cast<std::size_t>(a);
-        const int along = index / grid_->node_stride[i] % (grid_->cells[i] + 1) - (c >> a & 1);
-        inside = inside && along >= 0 && along < grid_->cells[i];
-        cell += along * grid_->cell_stride[i];
-      }
-      node.slot[static_cast<std::size_t>(c)] = inside ? slot_[static_cast<std::size_t>(cell)] : -1;
-    }
+    for (std::size_t c = 0; c < corners; ++c) node.slot[c] = slot_at(index - grid_->corner_offset[c]);
     nodes_.push_back(node);
   }
 }

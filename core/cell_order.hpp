@@ -26,7 +26,8 @@ template <int Dim> class CellOrder {
 
   explicit CellOrder(const GridIndex<Dim>& grid)
       : grid_(&grid), count_(static_cast<std::size_t>(grid.cell_count) + 1),
-        slot_(static_cast<std::size_t>(grid.cell_count), -1) {}
+        slot_(static_cast<std::size_t>(grid.node_count + grid.corner_offset.back()), -1),
+        active_(static_cast<std::size_t>(grid.node_count), 0) {}
 
   /// Assigns every point to its cell.  All points must lie in the grid.
   void update(Particles<Dim>& particles);
@@ -49,7 +50,8 @@ template <int Dim> class CellOrder {
   const GridIndex<Dim>* grid_;
   std::vector<int> cell_of_;         ///< of each row
   std::vector<std::uint32_t> count_; ///< scratch of the counting sort
-  std::vector<int> slot_;            ///< cell -> occupied slot or -1
+  std::vector<int> slot_;            ///< by lowest node of a cell, padded: occupied slot or -1
+  std::vector<std::uint8_t> active_; ///< by node: corner of an occupied cell
   std::vector<int> occupied_, previous_;
   std::vector<std::size_t> begin_;
   std::vector<std::uint32_t> rows_;

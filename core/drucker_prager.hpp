@@ -33,14 +33,15 @@ struct ElasticModuli {
   Real p_wave() const { return bulk + 4.0 / 3.0 * shear; }
 };
 
-/// What one stress update did irreversibly.
-struct PlasticStep {
-  Real strain = 0.0; ///< -, increment of the equivalent plastic strain sqrt(2/3 de:de), deviatoric
-  Real dissipation = 0.0; ///< J/m3
+/// What one stress update did irreversibly.  T is Real, or a SIMD value that holds several points.
+template <class T = Real> struct PlasticStep {
+  /// -, increment of the equivalent plastic strain sqrt(2/3 de:de), deviatoric
+  T strain = 0.0;
+  T dissipation = 0.0; ///< J/m3
 };
 
 struct ElasticUpdate {
-  template <int Dim> PlasticStep operator()(SymTensor<Dim>&) const { return {}; }
+  template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>&) const { return {}; }
 };
 
 struct DruckerPragerUpdate {
@@ -49,6 +50,9 @@ struct DruckerPragerUpdate {
   Real k_phi; ///< Pa
   Real q_psi;
   Real sigma_t; ///< Pa
+  Real inv_hardness; ///< 1/Pa, 1 / (G + K q_phi q_psi)
+  Real inv_shear; ///< 1/Pa
+  Real inv_bulk; ///< 1/Pa
 
   static DruckerPragerUpdate from(const DruckerPrager& law, const ElasticModuli& moduli) {
     const auto radians = [](Real degrees) { return degrees * 3.14159265358979323846 / 180.0; };
@@ -64,42 +68,38 @@ struct DruckerPragerUpdate {
     const auto [q_phi, k_over_c] = slopes(radians(law.friction_angle));
     const Real k_phi = k_over_c * law.cohesion;
     const Real apex = q_phi > 0.0 ? k_phi / q_phi : std::numeric_limits<Real>::infinity();
-    return {moduli, q_phi, k_phi, slopes(radians(law.dilation_angle))[0],
-            std::min(law.tension_cutoff, apex)};
+    const Real q_psi = slopes(radians(law.dilation_angle))[0];
+    return {moduli, q_phi, k_phi, q_psi, std::min(law.tension_cutoff, apex),
+            1.0 / (moduli.shear + moduli.bulk * q_phi * q_psi), 1.0 / moduli.shear, 1.0 / moduli.bulk};
   }
+
+  static constexpr Real inv_sqrt3 = 0.57735026918962576451;
 
   /// Takes the elastic trial stress to the admissible one.  The two surfaces are returned to with
   /// two multipliers (Koiter): the cone alone, the cut-off alone, or their common edge.
-  template <int Dim> PlasticStep operator()(SymTensor<Dim>& stress) const {
-    const Real mean_trial = trace<Dim>(stress) / 3.0;
-    SymTensor<Dim> s = stress;
+  /// Free of branches, so that it works on SIMD values as well: a multiplier that would be negative
+  /// is zero, and what lies inside both surfaces stays as it is.
+  template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>& stress) const {
+    using std::max, std::min, std::sqrt;
+    const T mean_trial = trace<Dim, T>(stress) * (1.0 / 3.0);
+    SymTensor<Dim, T> s = stress;
     for (std::size_t i = 0; i < 3; ++i) s[i] -= mean_trial;
-    Real J2 = 0.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+    T J2 = 0.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
     for (std::size_t i = 3; i < s.size(); ++i) J2 += s[i] * s[i];
-    const Real tau_trial = std::sqrt(J2);
+    const T tau_trial = sqrt(J2);
 
-    const Real f = tau_trial + q_phi * mean_trial - k_phi;
-    if (f <= 0.0 && mean_trial <= sigma_t) return {};
-
-    Real mean = mean_trial;
-    Real tau = tau_trial;
-    if (f > 0.0) {
-      const Real multiplier = f / (moduli.shear + moduli.bulk * q_phi * q_psi);
-      mean = mean_trial - moduli.bulk * q_psi * multiplier;
-      tau = k_phi - q_phi * mean;
-    }
-    if (mean > sigma_t) {
-      mean = sigma_t;
-      tau = std::min(tau_trial, k_phi - q_phi * sigma_t);
-    }
-    tau = std::max(tau, 0.0); // rounding at the apex
-    const Real scale = tau_trial > 0.0 ? tau / tau_trial : 0.0;
+    const T f = tau_trial + q_phi * mean_trial - k_phi;
+    const T multiplier = max(f, T(0.0)) * inv_hardness;
+    const T mean_cone = mean_trial - moduli.bulk * q_psi * multiplier;
+    const T mean = min(mean_cone, T(sigma_t));
+    const T tau = max(min(tau_trial, k_phi - q_phi * mean), T(0.0));
+    const T scale = tau / max(tau_trial, T(std::numeric_limits<Real>::min())); // 0/0 is 0: s is 0
     for (std::size_t i = 0; i < 3; ++i) stress[i] = mean + scale * s[i];
     for (std::size_t i = 3; i < s.size(); ++i) stress[i] = scale * s[i];
 
     // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
-    const Real slip = (tau_trial - tau) / moduli.shear;
-    return {slip / std::sqrt(3.0), tau * slip + mean * (mean_trial - mean) / moduli.bulk};
+    const T slip = (tau_trial - tau) * inv_shear;
+    return {slip * inv_sqrt3, tau * slip + mean * (mean_trial - mean) * inv_bulk};
   }
 };
 

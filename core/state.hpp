@@ -40,7 +40,7 @@ template <int Dim, class Visit> void for_each_node(const State<Dim>& state, Visi
 
 /// Shape functions of a cell's corners at row p; `corner` is the cell's lowest corner in cells.
 template <int Dim>
-LinearShape<Dim> shape_at(const State<Dim>& state, const std::type_identity_t<Vec<Dim>>& corner,
+[[gnu::always_inline]] inline LinearShape<Dim> shape_at(const State<Dim>& state, const std::type_identity_t<Vec<Dim>>& corner,
                           std::size_t p) {
   Vec<Dim> xi;
   for (std::size_t i = 0; i < Dim; ++i)

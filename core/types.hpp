@@ -18,14 +18,14 @@ using Real = double;
 template <int Dim> using Vec = std::array<Real, Dim>;
 
 /// grad[i][j] = d v_i / d x_j
-template <int Dim> using Mat = std::array<std::array<Real, Dim>, Dim>;
+template <int Dim, class T = Real> using Mat = std::array<std::array<T, Dim>, Dim>;
 
 /// Components of a symmetric tensor.  The three normal components always come first, so that
 /// invariants are three-dimensional in plane strain as well:
 ///   Dim 2: xx, zz, yy (out of plane), xz
 ///   Dim 3: xx, yy, zz, xy, yz, xz
 template <int Dim> inline constexpr int tensor_size = Dim == 2 ? 4 : 6;
-template <int Dim> using SymTensor = std::array<Real, tensor_size<Dim>>;
+template <int Dim, class T = Real> using SymTensor = std::array<T, tensor_size<Dim>>;
 
 /// Index in SymTensor<Dim> of component (i, j) of the computed axes.
 template <int Dim> constexpr std::size_t component(int i, int j) {
@@ -34,6 +34,8 @@ template <int Dim> constexpr std::size_t component(int i, int j) {
   return static_cast<std::size_t>(i + j == 1 ? 3 : i + j == 3 ? 4 : 5);
 }
 
-template <int Dim> constexpr Real trace(const SymTensor<Dim>& a) { return a[0] + a[1] + a[2]; }
+template <int Dim, class T> constexpr T trace(const SymTensor<Dim, T>& a) {
+  return a[0] + a[1] + a[2];
+}
 
 } // namespace scarp

@@ -1,0 +1,406 @@
+// Points to nodes and back, at random points with random state.  Nodes are found and weighted here by the
+// textbook's hat functions, prod_a max(0, 1 - |x_a - x_Ia| / h), not by the code's own.
+#include "core/gather_pass.hpp"
+#include "core/lattice.hpp"
+#include "core/node_pass.hpp"
+#include "core/scatter_pass.hpp"
+#include "core/stress_pass.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <type_traits>
+
+using namespace scarp;
+using namespace scarp::test;
+
+namespace {
+
+/// A block of 5 cells along each axis in a grid of 7 x (5) x 6, every point then moved anywhere in the
+/// grid, with random velocity, stress and mass.
+template <class Dimension> class Transfer : public testing::Test {
+ protected:
+  static constexpr int dim = Dimension::value;
+  static constexpr double h = 0.5;
+
+  Transfer() : walls(scene(), state.grid), random(99) {
+    auto& points = state.particles;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      for (std::size_t i = 0; i < dim; ++i) {
+        const double size = h * state.grid.cells[i];
+        points.x[i][p] = state.grid.lower[i] + size * random.between(0.001, 0.999);
+        points.v[i][p] = random.between(-1.0, 1.0);
+      }
+      for (Column& component : points.tau) component[p] = random.between(-1.0, 1.0);
+      points.m[p] = random.between(0.5, 1.5);
+      points.V0[p] = random.between(0.5, 1.5);
+    }
+    state.order.update(points);
+  }
+
+  static Scene scene() {
+    Scene scene;
+    scene.grid = dim == 2 ? grid_2d(h, {-1.0, 2.0}, {2.5, 5.0}) : grid_3d(h, {-1.0, -3.0, 2.0}, {2.5, -0.5, 5.0});
+    scene.materials = {elastic("m", 1.0, 1.0, 0.3)};
+    scene.regions = {box("b", "m", {-1.0, 2.0}, {1.5, 4.5}, {}, {-3.0, -0.5})};
+    return scene;
+  }
+
+  Vec<dim> place(int node) const {
+    Vec<dim> x;
+    for (std::size_t a = 0; a < dim; ++a) {
+      const int nodes = state.grid.cells[a] + 1;
+      x[a] = state.grid.lower[a] + h * (node % nodes);
+      node /= nodes;
+    }
+    return x;
+  }
+
+  double hat(int node, std::size_t p, Vec<dim>* gradient = nullptr) const {
+    const Vec<dim> x_I = place(node);
+    Vec<dim> along, slope;
+    double N = 1.0;
+    for (std::size_t a = 0; a < dim; ++a) {
+      const double d = (state.particles.x[a][p] - x_I[a]) / h;
+      along[a] = std::max(0.0, 1.0 - std::abs(d));
+      slope[a] = along[a] == 0.0 ? 0.0 : (d > 0.0 ? -1.0 : 1.0) / h;
+      N *= along[a];
+    }
+    if (gradient)
+      for (std::size_t a = 0; a < dim; ++a) {
+        (*gradient)[a] = slope[a];
+        for (std::size_t b = 0; b < dim; ++b)
+          if (b != a) (*gradient)[a] *= along[b];
+      }
+    return N;
+  }
+
+  const NodeState<dim>& node(int index) const { return state.nodal.nodes[static_cast<std::size_t>(index)]; }
+
+  /// Every test's first step; forces are then in the nodes' f.
+  void scatter_all() {
+    scatter_pass<dim, Terms::all>(state);
+    gather_momentum_pass(state, walls);
+    advance_momentum_pass(state, walls, {}, 0.0, dt);
+  }
+
+  Vec<dim> momentum_of_points() const {
+    Vec<dim> total = {};
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+      for (std::size_t i = 0; i < dim; ++i) total[i] += state.particles.m[p] * state.particles.v[i][p];
+    return total;
+  }
+
+  static constexpr double dt = 0.01;
+  State<dim> state{scene().grid, fill_regions<dim>(scene())};
+  Walls<dim> walls; // all sides free
+  Random random;
+};
+
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+struct DimensionName {
+  template <class Dimension> static std::string GetName(int) {
+    return std::to_string(Dimension::value) + "d";
+  }
+};
+TYPED_TEST_SUITE(Transfer, Dimensions, DimensionName);
+
+} // namespace
+
+/// m_I = sum_p m_p N_I, (m v)_I = sum_p m_p v_p N_I, f_I = - sum_p V0 tau . grad N_I, node by node.
+TYPED_TEST(Transfer, NodesHoldTheSumsOfTheTextbook) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  const auto& points = this->state.particles;
+  std::size_t active = 0;
+  for (int index = 0; index < this->state.grid.node_count; ++index) {
+    double m = 0.0;
+    Vec<Dim> mv = {}, f = {};
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      Vec<Dim> dN;
+      const double N = this->hat(index, p, &dN);
+      if (N == 0.0) continue;
+      m += points.m[p] * N;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        mv[i] += points.m[p] * points.v[i][p] * N;
+        for (std::size_t j = 0; j < Dim; ++j)
+          f[i] -= points.V0[p] *
+                  points.tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][p] * dN[j];
+      }
+    }
+    if (m == 0.0) continue;
+    ++active;
+    EXPECT_NEAR(this->node(index).m, m, 1e-13);
+    for (std::size_t i = 0; i < Dim; ++i) {
+      EXPECT_NEAR(this->node(index).mv[i], mv[i], 1e-13);
+      EXPECT_NEAR(this->node(index).f[i], f[i], 1e-12);
+    }
+  }
+  EXPECT_GT(active, Dim == 2 ? 40U : 200U);
+  EXPECT_EQ(this->state.order.nodes().size(), active);
+}
+
+TYPED_TEST(Transfer, ScatterConservesMassAndMomentum) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  double m = 0.0;
+  Vec<Dim> mv = {};
+  for (const auto& at : this->state.order.nodes()) {
+    m += this->node(at.index).m;
+    for (std::size_t i = 0; i < Dim; ++i) mv[i] += this->node(at.index).mv[i];
+  }
+  const double mass = sum(this->state.particles.m);
+  EXPECT_NEAR(m, mass, 1e-14 * mass);
+  for (std::size_t i = 0; i < Dim; ++i) EXPECT_NEAR(mv[i], this->momentum_of_points()[i], 1e-14 * mass);
+}
+
+/// Stress and momentum scattered apart (USF) are those scattered together (USL, MUSL), to the bit.
+TYPED_TEST(Transfer, TermsApartAreTermsTogether) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  const auto together = this->state.nodal.nodes;
+  scatter_pass<Dim, Terms::mass_momentum>(this->state);
+  gather_momentum_pass(this->state, this->walls);
+  scatter_pass<Dim, Terms::force>(this->state);
+  advance_momentum_pass(this->state, this->walls, {}, 0.0, this->dt);
+  for (const auto& at : this->state.order.nodes()) {
+    const auto& a = together[static_cast<std::size_t>(at.index)];
+    EXPECT_EQ(this->node(at.index).m, a.m);
+    EXPECT_EQ(this->node(at.index).mv, a.mv);
+    EXPECT_EQ(this->node(at.index).f, a.f);
+  }
+}
+
+/// The gradients of all shape functions add up to zero, so internal forces do.
+TYPED_TEST(Transfer, InternalForcesCancel) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  Vec<Dim> f = {};
+  double size = 0.0;
+  for (const auto& at : this->state.order.nodes())
+    for (std::size_t i = 0; i < Dim; ++i) {
+      f[i] += this->node(at.index).f[i];
+      size += std::abs(this->node(at.index).f[i]);
+    }
+  EXPECT_GT(size, 100.0);
+  for (std::size_t i = 0; i < Dim; ++i) EXPECT_NEAR(f[i], 0.0, 1e-15 * size);
+}
+
+/// Force and strain are adjoint: sum_I f_I . v_I = - sum_p V0 tau : grad v for any nodal velocities.
+TYPED_TEST(Transfer, ForceIsAdjointToTheGradient) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  double power = 0.0;
+  for (const auto& at : this->state.order.nodes()) {
+    auto& node = this->state.nodal.nodes[static_cast<std::size_t>(at.index)];
+    for (std::size_t i = 0; i < Dim; ++i) {
+      node.v[i] = this->random.between(-1.0, 1.0);
+      power += node.f[i] * node.v[i];
+    }
+  }
+  double stress_power = 0.0;
+  const auto& points = this->state.particles;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (int index = 0; index < this->state.grid.node_count; ++index) {
+      Vec<Dim> dN;
+      if (this->hat(index, p, &dN) == 0.0) continue;
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j)
+          stress_power += points.V0[p] *
+                          points.tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][p] *
+                          this->node(index).v[i] * dN[j];
+    }
+  EXPECT_GT(std::abs(power), 1.0);
+  EXPECT_NEAR(power, -stress_power, 1e-13 * std::abs(power));
+
+  // The code's own gradient: with K = 1/3, G = 1/2 (nu = 0, E = 1) the stress increment of a point is its
+  // strain increment, from which the power follows again.  (The spin's part needs no stress: start at 0.)
+  auto tau = points.tau;
+  for (Column& column : this->state.particles.tau) std::fill(column.begin(), column.end(), 0.0);
+  stress_pass<Dim>(this->state, 0, ElasticModuli{1.0 / 3.0, 0.5}, ElasticUpdate{}, 1.0);
+  double strain_power = 0.0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (std::size_t i = 0; i < tau.size(); ++i)
+      strain_power += points.V0[p] * (i < 3 ? 1.0 : 2.0) * tau[i][p] * points.tau[i][p];
+  EXPECT_NEAR(power, -strain_power, 1e-13 * std::abs(power));
+}
+
+/// - V0 tau . grad N is minus the derivative of the stored energy: let the nodes move by du, the points'
+/// stresses follow, and sum_p V0 psi(tau) grows by - f . du in first order.
+TYPED_TEST(Transfer, ForceIsMinusTheGradientOfTheEnergy) {
+  constexpr int Dim = TypeParam::value;
+  const ElasticModuli moduli = {2.0, 3.0};
+  const auto energy = [&] { // psi = sigma_m^2 / 2K + s:s / 4G
+    double total = 0.0;
+    const auto& points = this->state.particles;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double mean = (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) / 3.0;
+      double s2 = 0.0;
+      for (std::size_t i = 0; i < points.tau.size(); ++i) {
+        const double s = points.tau[i][p] - (i < 3 ? mean : 0.0);
+        s2 += (i < 3 ? 1.0 : 2.0) * s * s;
+      }
+      total += points.V0[p] * (0.5 * mean * mean / moduli.bulk + 0.25 * s2 / moduli.shear);
+    }
+    return total;
+  };
+  this->scatter_all();
+  double power = 0.0;
+  for (const auto& at : this->state.order.nodes()) {
+    auto& node = this->state.nodal.nodes[static_cast<std::size_t>(at.index)];
+    for (std::size_t i = 0; i < Dim; ++i) {
+      node.v[i] = this->random.between(-1.0, 1.0);
+      power += node.f[i] * node.v[i];
+    }
+  }
+  // A central difference of width 2 e: its error is of order e^2.
+  const auto start = this->state.particles.tau;
+  const double e = 1e-5;
+  stress_pass<Dim>(this->state, 0, moduli, ElasticUpdate{}, e);
+  const double after = energy();
+  this->state.particles.tau = start;
+  stress_pass<Dim>(this->state, 0, moduli, ElasticUpdate{}, -e);
+  const double before = energy();
+  EXPECT_GT(std::abs(power), 1.0);
+  EXPECT_NEAR((after - before) / (2.0 * e), -power, 1e-6 * std::abs(power));
+}
+
+/// J' = J (1 + dt div v) and nothing else touches J; a uniform velocity strains nothing.
+TYPED_TEST(Transfer, VolumeFollowsTheDivergence) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  for (const auto& at : this->state.order.nodes()) {
+    auto& node = this->state.nodal.nodes[static_cast<std::size_t>(at.index)];
+    for (std::size_t i = 0; i < Dim; ++i) // v = (0.3 x_0, 0.1 x_1, ...) + constant
+      node.v[i] = 0.7 + (i == 0 ? 0.3 : 0.1) * this->place(at.index)[i];
+  }
+  stress_pass<Dim>(this->state, 0, ElasticModuli{1.0, 1.0}, ElasticUpdate{}, 0.01);
+  for (const Real J : this->state.particles.J) EXPECT_NEAR(J, 1.0 + 0.01 * (0.3 + 0.1 * (Dim - 1)), 1e-14);
+  stress_pass<Dim>(this->state, 1, ElasticModuli{1.0, 1.0}, ElasticUpdate{}, 0.01);
+  for (const Real J : this->state.particles.J)
+    EXPECT_NEAR(J, 1.0 + 0.01 * (0.3 + 0.1 * (Dim - 1)), 1e-14) << "of another material";
+}
+
+TYPED_TEST(Transfer, UniformVelocityStays) {
+  constexpr int Dim = TypeParam::value;
+  for (const Real flip : {1.0, 0.0, 0.7}) {
+    auto& points = this->state.particles;
+    for (Column& column : points.tau) std::fill(column.begin(), column.end(), 0.0);
+    for (std::size_t i = 0; i < Dim; ++i)
+      std::fill(points.v[i].begin(), points.v[i].end(), 1.0 + static_cast<double>(i));
+    this->scatter_all();
+    const Real fastest = gather_pass<Dim, false>(this->state, flip, this->dt);
+    for (std::size_t i = 0; i < Dim; ++i)
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        EXPECT_NEAR(points.v[i][p], 1.0 + static_cast<double>(i), 1e-14);
+        EXPECT_NEAR(points.dx[i][p], this->dt * (1.0 + static_cast<double>(i)), 1e-15);
+      }
+    EXPECT_NEAR(fastest, std::sqrt(Dim == 2 ? 5.0 : 14.0), 1e-14);
+  }
+}
+
+/// Neither FLIP nor PIC makes momentum: internal forces cancel, gravity adds dt m g.
+TYPED_TEST(Transfer, MomentumIsConserved) {
+  constexpr int Dim = TypeParam::value;
+  for (const Real flip : {1.0, 0.0, 0.7}) {
+    const Vec<Dim> before = this->momentum_of_points();
+    Vec<Dim> g = {};
+    g[0] = 2.0;
+    g[Dim - 1] = -9.81;
+    scatter_pass<Dim, Terms::all>(this->state);
+    gather_momentum_pass(this->state, this->walls);
+    advance_momentum_pass(this->state, this->walls, g, 0.0, this->dt);
+    gather_pass<Dim, false>(this->state, flip, this->dt);
+    const double mass = sum(this->state.particles.m);
+    for (std::size_t i = 0; i < Dim; ++i)
+      EXPECT_NEAR(this->momentum_of_points()[i], before[i] + this->dt * mass * g[i], 1e-13 * mass);
+  }
+}
+
+/// v_p = flip (v_p + sum N dv) + (1 - flip) sum N v, dx_p = dt sum N v, for random nodal values.
+TYPED_TEST(Transfer, BlendOfFlipAndPic) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  for (const auto& at : this->state.order.nodes()) {
+    auto& node = this->state.nodal.nodes[static_cast<std::size_t>(at.index)];
+    for (std::size_t i = 0; i < Dim; ++i) {
+      node.v[i] = this->random.between(-1.0, 1.0);
+      node.dv[i] = this->random.between(-1.0, 1.0);
+    }
+  }
+  const auto start = this->state.particles.v;
+  const Real flip = 0.7;
+  gather_pass<Dim, false>(this->state, flip, this->dt);
+  const auto& points = this->state.particles;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    Vec<Dim> v = {}, dv = {};
+    for (int index = 0; index < this->state.grid.node_count; ++index) {
+      const double N = this->hat(index, p);
+      if (N == 0.0) continue;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        v[i] += N * this->node(index).v[i];
+        dv[i] += N * this->node(index).dv[i];
+      }
+    }
+    for (std::size_t i = 0; i < Dim; ++i) {
+      EXPECT_NEAR(points.v[i][p], flip * (start[i][p] + dv[i]) + (1.0 - flip) * v[i], 1e-13);
+      EXPECT_NEAR(points.dx[i][p], this->dt * v[i], 1e-15);
+    }
+  }
+}
+
+/// MUSL's second mapping: v_I from the points' new momenta with the weights of the first.
+TYPED_TEST(Transfer, RemapGivesTheNewMomenta) {
+  constexpr int Dim = TypeParam::value;
+  this->scatter_all();
+  gather_pass<Dim, true>(this->state, 1.0, this->dt);
+  remap_velocity_pass(this->state, this->walls);
+  const auto& points = this->state.particles;
+  for (const auto& at : this->state.order.nodes()) {
+    double m = 0.0;
+    Vec<Dim> mv = {};
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double N = this->hat(at.index, p);
+      m += points.m[p] * N;
+      for (std::size_t i = 0; i < Dim; ++i) mv[i] += points.m[p] * points.v[i][p] * N;
+    }
+    for (std::size_t i = 0; i < Dim; ++i)
+      EXPECT_NEAR(this->node(at.index).v[i], mv[i] / m, 1e-13 / std::min(m, 1.0));
+  }
+}
+
+/// Points that wander stay in their cells' lists, whether or not the columns have been put in order.
+TYPED_TEST(Transfer, OrderFollowsWanderingPoints) {
+  constexpr int Dim = TypeParam::value;
+  std::vector<double> first_mass(this->state.particles.size());
+  for (std::size_t p = 0; p < first_mass.size(); ++p) first_mass[this->state.particles.id[p]] = this->state.particles.m[p];
+  for (int round = 0; round < 30; ++round) {
+    auto& points = this->state.particles;
+    const double part = round % 3 == 0 ? 0.01 : 0.2; // of the points, to move
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (this->random.between(0.0, 1.0) < part)
+        for (std::size_t i = 0; i < Dim; ++i)
+          points.x[i][p] = this->state.grid.lower[i] + this->h * this->state.grid.cells[i] * this->random.between(0.0, 0.999);
+    this->state.order.update(points);
+
+    std::vector<int> seen(points.size(), 0);
+    int last = -1;
+    for (std::size_t slot = 0; slot < this->state.order.cells(); ++slot) {
+      EXPECT_GT(this->state.order.cell(slot), last);
+      last = this->state.order.cell(slot);
+      EXPECT_GT(this->state.order.end(slot), this->state.order.begin(slot));
+      for (std::size_t k = this->state.order.begin(slot); k < this->state.order.end(slot); ++k) {
+        const std::size_t p = this->state.order.row(k);
+        EXPECT_EQ(this->state.grid.cell_of(points.position(p)), this->state.order.cell(slot));
+        EXPECT_EQ(points.m[p], first_mass[points.id[p]]) << "all columns move together";
+        ++seen[p];
+      }
+    }
+    for (const int times : seen) EXPECT_EQ(times, 1);
+    this->scatter_all();
+    double m = 0.0;
+    for (const auto& at : this->state.order.nodes()) m += this->node(at.index).m;
+    EXPECT_NEAR(m, sum(points.m), 1e-13 * m) << "every node of an occupied cell is active";
+  }
+}
