@@ -38,35 +38,54 @@ clock() { printf '%d:%02d' $((SECONDS / 60)) $((SECONDS % 60)); }
 
 say() { printf '[%s] %s\n' "$(clock)" "$*"; }
 
-# Shows the last line of a stage's log until it is ended: at once on a terminal, else twice a minute.
-watch_log() { # LOG DESCRIPTION
-  local seconds=0 last
+# Reports with the line that a command prints, at once on a terminal, else twice a minute.
+watch() { # DESCRIPTION COMMAND ...
+  local seconds=0
   while sleep 1; do
     seconds=$((seconds + 1))
-    last=$(tail -c 300 "$1" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]')
     if [ -n "$on_terminal" ]; then
-      printf '\r\033[K%.*s' $(($(tput cols 2>/dev/null || echo 80) - 1)) "[$(clock)] $2: $last"
+      printf '\r\033[K%.79s' "[$(clock)] $1: $("${@:2}")"
     elif [ $((seconds % 30)) = 0 ]; then
-      say "  ... ${last:0:100}"
+      say "  ... $("${@:2}")"
     fi
-  done 2>/dev/null
+  done
+}
+
+# Runs a command with a watch over it.
+watched() { # DESCRIPTION COMMAND ... -- COMMAND ...
+  local report=() status=0 id
+  while [ "$1" != -- ]; do
+    report+=("$1")
+    shift
+  done
+  shift
+  watch "${report[@]}" 2>/dev/null &
+  id=$!
+  # shellcheck disable=SC2064 # the id of this watch
+  trap "kill $id 2>/dev/null || true" EXIT
+  "$@" || status=$?
+  kill "$id" 2>/dev/null || true
+  wait "$id" 2>/dev/null || true
+  trap - EXIT
+  return "$status"
+}
+
+last_line() { # LOG
+  tail -c 300 "$1" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]' | cut -c 1-100
+}
+
+logged() { # LOG COMMAND ...
+  "${@:2}" >"$1" 2>&1 </dev/null
 }
 
 # Runs a command as one stage.  What it prints goes to a log, which is shown if it fails.
 stage() { # NAME DESCRIPTION COMMAND ...
-  local log=$logs/$1.log what=$2 began=$SECONDS status=0 watcher
+  local log=$logs/$1.log what=$2 began=$SECONDS status=0
   shift 2
   mkdir -p "$logs"
   : >"$log"
   if [ -n "$on_terminal" ]; then printf '[%s] %s' "$(clock)" "$what"; else say "$what ..."; fi
-  watch_log "$log" "$what" &
-  watcher=$!
-  # shellcheck disable=SC2064 # the id of this watcher
-  trap "kill $watcher 2>/dev/null || true" EXIT
-  "$@" >"$log" 2>&1 </dev/null || status=$?
-  kill "$watcher" 2>/dev/null || true
-  wait "$watcher" 2>/dev/null || true
-  trap - EXIT
+  watched "$what" last_line "$log" -- logged "$log" "$@" || status=$?
   if [ -n "$on_terminal" ]; then printf '\r\033[K'; fi
   if [ "$status" != 0 ]; then
     tail -n 100 "$log" >&2
@@ -103,7 +122,8 @@ install_missing() { # PACKAGE ...
       fail "run as root, or install sudo; packages are missing: ${missing[*]}"
     sudo -v || fail "sudo refused; packages are missing: ${missing[*]}"
   fi
-  stage packages "install ${missing[*]}" apt_install "${missing[@]}"
+  say "packages missing: ${missing[*]}"
+  stage packages "install them" apt_install "${missing[@]}"
 }
 
 set_up() { # PACKAGE ...
@@ -121,9 +141,16 @@ build_program() {
   stage build "build build/scarp" cmake --build build --target scarp -j "$processors"
 }
 
+frames_written() { echo "$(find "$demo" -name '*.vtp' 2>/dev/null | wc -l) frames"; }
+
 reproduce() {
-  say "run build/scarp reproduce bui2008 --out $demo --cell 0.0025"
-  build/scarp reproduce bui2008 --out "$demo" --cell 0.0025
+  local command=(build/scarp reproduce bui2008 --out "$demo" --cell 0.0025)
+  say "run ${command[*]}"
+  if [ -n "$on_terminal" ]; then
+    "${command[@]}" # shows its progress itself
+  else
+    watched "run" frames_written -- "${command[@]}"
+  fi
 }
 
 check_format() {
@@ -157,23 +184,24 @@ run_tests() {
   exec ctest --preset ci
 }
 
-# ParaView's Python modules are unpacked, not installed: their package conflicts with libvtk9-dev.
-unpack_paraview_modules() { # DIRECTORY
+# Debian's python3-paraview conflicts with libvtk9-dev, so it is unpacked, not installed; with pvbatch
+# beside it, which looks for its modules there before it looks among those of VTK.
+unpack_paraview() { # DIRECTORY
   rm -rf "$1" && mkdir -p "$1" && as_root apt-get update -o Acquire::Retries=3 &&
-    (cd "$1" && apt-get download python3-paraview && dpkg-deb -x python3-paraview_*.deb .)
+    (cd "$1" && apt-get download python3-paraview && dpkg-deb -x python3-paraview_*.deb .) &&
+    cp /usr/bin/pvbatch "$1/usr/bin/"
 }
 
 run_paraview() {
-  local modules=build/paraview
+  local paraview=build/paraview
   set_up "${program_packages[@]}" paraview
-  if ! [ -d $modules/usr ]; then
-    stage modules "unpack ParaView's Python modules" unpack_paraview_modules $modules
+  if ! [ -x $paraview/usr/bin/pvbatch ]; then
+    stage paraview "unpack ParaView's Python modules in $paraview/" unpack_paraview $paraview
   fi
   build_program
   if ! [ -f "$demo/run.json" ]; then reproduce; fi
-  say "let ParaView read $demo (pvbatch tests/end_to_end/paraview_reads_series.py)"
-  PYTHONPATH=$PWD/$modules/usr/lib/python3/dist-packages \
-    pvbatch tests/end_to_end/paraview_reads_series.py "$demo"
+  say "let ParaView read $demo (pvbatch tests/end_to_end/paraview_reads_series.py $demo)"
+  $paraview/usr/bin/pvbatch tests/end_to_end/paraview_reads_series.py "$demo"
 }
 
 case "$#:${1:-}" in

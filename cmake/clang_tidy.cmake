@@ -21,6 +21,7 @@ foreach(folder core io render apps)
       add_custom_command(
         OUTPUT ${stamp}
         COMMAND ${SCARP_CLANG_TIDY} --quiet -p ${PROJECT_BINARY_DIR}
+                --extra-arg=-Wno-unknown-warning-option # the flags are those of GCC
                 ${PROJECT_SOURCE_DIR}/${folder}/${file}
         COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
         DEPENDS ${folder}/CMakeFiles/${target}.dir/${file}.o ${PROJECT_SOURCE_DIR}/.clang-tidy

@@ -68,8 +68,8 @@ template <int Dim> void CellOrder<Dim>::reorder(Particles<Dim>& particles) {
   moved_ = 0;
 }
 
-/// A cell is known by its lowest node here: the cell of which node n is corner c has the lowest node
-/// n - corner_offset[c], and where there is no such cell, no cell ever has that one.
+/// A cell is known by its lowest node here: the cell of which node n is corner c has the lowest
+/// node n - corner_offset[c], and where there is no such cell, no cell ever has that one.
 template <int Dim> void CellOrder<Dim>::find_nodes() {
   const int padding = grid_->corner_offset.back();
   const auto slot_at = [&](int node) -> int& {
@@ -78,12 +78,14 @@ template <int Dim> void CellOrder<Dim>::find_nodes() {
   for (const int cell : previous_) {
     const int first = grid_->first_node(cell);
     slot_at(first) = -1;
-    for (const int offset : grid_->corner_offset) active_[static_cast<std::size_t>(first + offset)] = 0;
+    for (const int offset : grid_->corner_offset)
+      active_[static_cast<std::size_t>(first + offset)] = 0;
   }
   for (std::size_t s = 0; s < occupied_.size(); ++s) {
     const int first = grid_->first_node(occupied_[s]);
     slot_at(first) = static_cast<int>(s);
-    for (const int offset : grid_->corner_offset) active_[static_cast<std::size_t>(first + offset)] = 1;
+    for (const int offset : grid_->corner_offset)
+      active_[static_cast<std::size_t>(first + offset)] = 1;
   }
 
   nodes_.clear();
@@ -92,7 +94,8 @@ template <int Dim> void CellOrder<Dim>::find_nodes() {
   for (int index = begin; index < end; ++index) {
     if (active_[static_cast<std::size_t>(index)] == 0) continue;
     Node node{index, {}};
-    for (std::size_t c = 0; c < corners; ++c) node.slot[c] = slot_at(index - grid_->corner_offset[c]);
+    for (std::size_t c = 0; c < corners; ++c)
+      node.slot[c] = slot_at(index - grid_->corner_offset[c]);
     nodes_.push_back(node);
   }
 }

@@ -7,6 +7,19 @@
 // '+' inscribed in Mohr-Coulomb in the pi plane, '-' circumscribed; the plane-strain match is
 //   q = 3 tan(phi)/sqrt(9 + 12 tan(phi)^2),  k = 3 c/sqrt(9 + 12 tan(phi)^2).
 // Plastic potential: g = tau + q_psi sigma_m.  Tension cut-off: sigma_m <= sigma_t <= k_phi/q_phi.
+//
+// Opening.  The cut-off on its own is perfectly plastic: material stretched at it opens a gap, and
+// when it closes again its pressure returns at once, with the gap still there.  Every cycle leaves
+// the material larger, which shows as a spurious dilation (strength, and points that hover a cell
+// above the ground they lie on).  With Opening::remembered the volumetric law is the unilateral
+// one,
+//   sigma_m = min(K (e + gap), sigma_t),  gap = max(0, e + gap - sigma_t/K),
+// with e the elastic volumetric strain: the gap has to close before there is pressure.  It is
+// non-linear elasticity, so it makes no energy.  Since the strain that a point adds up drifts from
+// the room there is, the gap is at most that room: with the part phi of the space filled by
+// unloaded material, 1/phi - 1 (`room`; the density criterion of Dunatunga & Kamrin 2015,
+// doi 10.1017/jfm.2015.383, as a bound from the grid's own density).
+//
 // Wu et al. 2017, doi 10.16030/j.cnki.issn.1000-3665.2017.06.19; de Souza Neto, Peric & Owen 2008,
 // Computational Methods for Plasticity, ch. 8, for the return to smooth cone and apex.
 #pragma once
@@ -41,7 +54,9 @@ template <class T = Real> struct PlasticStep {
 };
 
 struct ElasticUpdate {
-  template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>&) const { return {}; }
+  template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>&, T&, const T&) const {
+    return {};
+  }
 };
 
 struct DruckerPragerUpdate {
@@ -49,10 +64,10 @@ struct DruckerPragerUpdate {
   Real q_phi;
   Real k_phi; ///< Pa
   Real q_psi;
-  Real sigma_t; ///< Pa
+  Real sigma_t;      ///< Pa
   Real inv_hardness; ///< 1/Pa, 1 / (G + K q_phi q_psi)
-  Real inv_shear; ///< 1/Pa
-  Real inv_bulk; ///< 1/Pa
+  Real inv_shear;    ///< 1/Pa
+  Real inv_bulk;     ///< 1/Pa
 
   static DruckerPragerUpdate from(const DruckerPrager& law, const ElasticModuli& moduli) {
     const auto radians = [](Real degrees) { return degrees * 3.14159265358979323846 / 180.0; };
@@ -69,8 +84,14 @@ struct DruckerPragerUpdate {
     const Real k_phi = k_over_c * law.cohesion;
     const Real apex = q_phi > 0.0 ? k_phi / q_phi : std::numeric_limits<Real>::infinity();
     const Real q_psi = slopes(radians(law.dilation_angle))[0];
-    return {moduli, q_phi, k_phi, q_psi, std::min(law.tension_cutoff, apex),
-            1.0 / (moduli.shear + moduli.bulk * q_phi * q_psi), 1.0 / moduli.shear, 1.0 / moduli.bulk};
+    return {moduli,
+            q_phi,
+            k_phi,
+            q_psi,
+            std::min(law.tension_cutoff, apex),
+            1.0 / (moduli.shear + moduli.bulk * q_phi * q_psi),
+            1.0 / moduli.shear,
+            1.0 / moduli.bulk};
   }
 
   static constexpr Real inv_sqrt3 = 0.57735026918962576451;
@@ -79,7 +100,9 @@ struct DruckerPragerUpdate {
   /// two multipliers (Koiter): the cone alone, the cut-off alone, or their common edge.
   /// Free of branches, so that it works on SIMD values as well: a multiplier that would be negative
   /// is zero, and what lies inside both surfaces stays as it is.
-  template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>& stress) const {
+  /// `gap` is that before the step and is brought up to date; `room` is its upper bound.
+  template <int Dim, class T>
+  PlasticStep<T> operator()(SymTensor<Dim, T>& stress, T& gap, const T& room) const {
     using std::max, std::min, std::sqrt;
     const T mean_trial = trace<Dim, T>(stress) * (1.0 / 3.0);
     SymTensor<Dim, T> s = stress;
@@ -88,10 +111,12 @@ struct DruckerPragerUpdate {
     for (std::size_t i = 3; i < s.size(); ++i) J2 += s[i] * s[i];
     const T tau_trial = sqrt(J2);
 
+    const T mean_open = mean_trial + moduli.bulk * gap;
     const T f = tau_trial + q_phi * mean_trial - k_phi;
     const T multiplier = max(f, T(0.0)) * inv_hardness;
-    const T mean_cone = mean_trial - moduli.bulk * q_psi * multiplier;
+    const T mean_cone = mean_open - moduli.bulk * q_psi * multiplier;
     const T mean = min(mean_cone, T(sigma_t));
+    gap = min((mean_cone - mean) * inv_bulk, room);
     const T tau = max(min(tau_trial, k_phi - q_phi * mean), T(0.0));
     const T scale = tau / max(tau_trial, T(std::numeric_limits<Real>::min())); // 0/0 is 0: s is 0
     for (std::size_t i = 0; i < 3; ++i) stress[i] = mean + scale * s[i];
@@ -99,7 +124,13 @@ struct DruckerPragerUpdate {
 
     // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
     const T slip = (tau_trial - tau) * inv_shear;
-    return {slip * inv_sqrt3, tau * slip + mean * (mean_trial - mean) * inv_bulk};
+    return {slip * inv_sqrt3, tau * slip + mean * ((mean_open - mean) * inv_bulk - gap)};
+  }
+
+  /// The same with Opening::forgotten.
+  template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>& stress) const {
+    T gap = 0.0;
+    return operator()<Dim, T>(stress, gap, T(0.0));
   }
 };
 

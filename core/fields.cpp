@@ -15,6 +15,7 @@ const std::vector<FieldInfo>& field_table() {
       {"density", 1, "kg/m3", ""},
       {"volume", 1, "m3", "per metre of depth in plane strain"},
       {"initial_volume", 1, "m3", "per metre of depth in plane strain"},
+      {"gap", 1, "-", "volumetric strain by which the point stands open in tension"},
       {"region", 1, "-", "index of the region in the scene, from 0"},
   };
   return table;

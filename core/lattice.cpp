@@ -75,6 +75,7 @@ void add_point(Particles<Dim>& points, const Scene& scene, std::size_t region, s
   points.m.push_back(volume * scene.materials[material].density);
   points.V0.push_back(volume);
   points.J.push_back(1.0);
+  points.gap.push_back(0.0);
   points.plastic_strain.push_back(0.0);
   points.dissipation.push_back(0.0);
   points.id.push_back(static_cast<std::uint32_t>(points.id.size()));

@@ -15,13 +15,17 @@ template <int Dim> void gather_momentum_pass(State<Dim>& state, const Walls<Dim>
   for_each_node(state, [&](const typename CellOrder<Dim>::Node& at) {
     NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
     node.m = 0.0;
+    Real V0 = 0.0;
     node.mv = {};
     for (std::size_t c = 0; c < at.slot.size(); ++c) {
       if (at.slot[c] < 0) continue;
       const CellTile<Dim>& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
       node.m += tile.m[c];
+      V0 += tile.V0[c];
       for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[c][i];
     }
+    if (state.nodal.tracks_fraction)
+      node.fraction = V0 / state.nodal.volume[static_cast<std::size_t>(at.index)];
     const Real inv_m = node.m > 0.0 ? 1.0 / node.m : 0.0;
     for (std::size_t i = 0; i < Dim; ++i) node.v[i] = node.mv[i] * inv_m;
     walls.constrain(at.index, node.v);
@@ -45,20 +49,20 @@ void advance_momentum_pass(State<Dim>& state, const Walls<Dim>& walls,
     Vec<Dim> drag = {};
     if (damping > 0.0)
       for (std::size_t i = 0; i < Dim; ++i)
-        drag[i] = -damping * std::copysign(std::abs(node.f[i]), node.v[i]);
+        if (node.v[i] != 0.0) drag[i] = -damping * std::copysign(node.f[i], node.v[i]);
     const Real dt_over_m = node.m > 0.0 ? dt / node.m : 0.0;
     const Vec<Dim> before = node.v;
     for (std::size_t i = 0; i < Dim; ++i) node.v[i] += dt_over_m * (node.f[i] + drag[i]);
     walls.constrain(at.index, node.v);
-    // The work of a force over the step is its impulse times the mean of the velocities.
     node.damped = 0.0;
-    for (std::size_t i = 0; i < Dim; ++i)
-      node.damped -= 0.5 * dt * drag[i] * (before[i] + node.v[i]);
+    for (std::size_t i = 0; i < Dim; ++i) node.damped -= dt * drag[i] * node.v[i];
     node.rubbed = 0.0;
     if (walls.have_friction()) {
-      for (const Real v : node.v) node.rubbed += 0.5 * node.m * v * v;
+      const Vec<Dim> free = node.v;
       walls.resist(at.index, node.v);
-      for (const Real v : node.v) node.rubbed -= 0.5 * node.m * v * v;
+      // The points move with v, so the wall's impulse works on v.
+      for (std::size_t i = 0; i < Dim; ++i)
+        node.rubbed += node.m * (free[i] - node.v[i]) * node.v[i];
     }
     for (std::size_t i = 0; i < Dim; ++i) node.dv[i] = node.v[i] - before[i];
   });

@@ -4,6 +4,7 @@
 #include "core/grid_index.hpp"
 #include "core/types.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace scarp {
@@ -13,26 +14,39 @@ namespace scarp {
 template <int Dim> struct CellTile {
   static constexpr int corners = 1 << Dim;
   std::array<Real, corners> m;      ///< kg
+  std::array<Real, corners> V0;     ///< m3, of the unloaded material; only if it is tracked
   std::array<Vec<Dim>, corners> mv; ///< kg m/s
   std::array<Vec<Dim>, corners> f;  ///< N, internal
 };
 
 template <int Dim> struct NodeState {
-  Real m;      ///< kg
-  Vec<Dim> mv; ///< kg m/s
-  Vec<Dim> f;  ///< N
-  Vec<Dim> v;  ///< m/s, after the latest constraint
-  Vec<Dim> dv; ///< m/s, change by the forces of this step
-  Real damped; ///< J, taken by local damping in this step
-  Real rubbed; ///< J, taken by friction on walls in this step
+  Real m;        ///< kg
+  Real fraction; ///< -, see GridState::tracks_fraction
+  Vec<Dim> mv;   ///< kg m/s
+  Vec<Dim> f;    ///< N
+  Vec<Dim> v;    ///< m/s, after the latest constraint
+  Vec<Dim> dv;   ///< m/s, change by the forces of this step
+  Real damped;   ///< J, taken by local damping in this step
+  Real rubbed;   ///< J, taken by friction on walls in this step
 };
 
 template <int Dim> struct GridState {
   std::vector<CellTile<Dim>> tiles;  ///< by occupied slot
   std::vector<NodeState<Dim>> nodes; ///< by node index; only active nodes are meaningful
 
-  explicit GridState(const GridIndex<Dim>& grid)
-      : nodes(static_cast<std::size_t>(grid.node_count)) {}
+  /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
+  bool tracks_fraction;
+  std::vector<Real> volume; ///< m3, by node: what belongs to it of the cells around it
+
+  GridState(const GridIndex<Dim>& grid, bool with_fraction)
+      : nodes(static_cast<std::size_t>(grid.node_count)), tracks_fraction(with_fraction) {
+    if (!tracks_fraction) return;
+    volume.assign(nodes.size(), 0.0);
+    const Real share = std::pow(grid.h, Dim) / CellTile<Dim>::corners;
+    for (int cell = 0; cell < grid.cell_count; ++cell)
+      for (const int offset : grid.corner_offset)
+        volume[static_cast<std::size_t>(grid.first_node(cell) + offset)] += share;
+  }
 };
 
 } // namespace scarp

@@ -20,6 +20,7 @@ template <int Dim> struct Particles {
   Column m;                                 ///< kg (per metre of depth in plane strain)
   Column V0;                                ///< m3 (m2 in plane strain), volume before loading
   Column J;                                 ///< -, volume / V0
+  Column gap;                               ///< -, volumetric strain by which the point stands open
   Column plastic_strain;                    ///< -, equivalent, deviatoric
   Column dissipation;                       ///< J/m3 of V0, plastic work so far
   std::vector<std::uint32_t> id;
@@ -40,6 +41,7 @@ template <int Dim> struct Particles {
     visit(m);
     visit(V0);
     visit(J);
+    visit(gap);
     visit(plastic_strain);
     visit(dissipation);
     visit(id);

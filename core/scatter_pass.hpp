@@ -20,6 +20,7 @@ template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
     CellTile<Dim> tile = state.nodal.tiles[slot];
     if constexpr (momentum) {
       tile.m = {};
+      tile.V0 = {};
       tile.mv = {};
     }
     if constexpr (force) tile.f = {};
@@ -40,6 +41,7 @@ template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
       }
       for (std::size_t c = 0; c < shape.nodes; ++c) {
         if constexpr (momentum) {
+          if (state.nodal.tracks_fraction) tile.V0[c] += V0 * shape.N[c];
           tile.m[c] += m * shape.N[c];
           for (std::size_t i = 0; i < Dim; ++i) tile.mv[c][i] += mv[i] * shape.N[c];
         }

@@ -43,6 +43,12 @@ struct Gate {
 
 struct LinearElastic {};
 
+/// What becomes of the gap that opens when material is stretched at the tension cut-off.
+/// forgotten: stress returns as soon as the stretching ends, as in most published codes; each
+/// opening and closing then leaves the material a little larger. remembered: the gap has to close
+/// first; see core/drucker_prager.hpp.
+enum class Opening { forgotten, remembered };
+
 /// Drucker-Prager with a tension cut-off, non-associated; see core/drucker_prager.hpp.
 struct DruckerPrager {
   double cohesion = 0.0;       ///< Pa
@@ -52,6 +58,7 @@ struct DruckerPrager {
   /// Pa, largest mean stress (tension positive); the apex of the cone bounds it from above, so
   /// infinity means "at the apex".
   double tension_cutoff = std::numeric_limits<double>::infinity();
+  Opening opening = Opening::forgotten;
 };
 
 struct Material {

@@ -25,19 +25,30 @@ struct MaterialModel {
   ElasticModuli moduli;
   Real wave_speed; ///< m/s, of the unloaded material
   AnyUpdate update;
+  bool opens = false; ///< remembers gaps
 
   explicit MaterialModel(const Material& material)
       : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
         wave_speed(std::sqrt(moduli.p_wave() / material.density)) {
-    if (const auto* law = std::get_if<DruckerPrager>(&material.law))
+    if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
       update = DruckerPragerUpdate::from(*law, moduli);
+      opens = law->opening == Opening::remembered;
+    }
   }
 };
+
+bool remembers_gaps(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    const auto* law = std::get_if<DruckerPrager>(&material.law);
+    return law && law->opening == Opening::remembered;
+  });
+}
 
 template <int Dim> class SimulationOf final : public Simulation {
  public:
   explicit SimulationOf(const Scene& scene)
-      : scene_(scene), state_(scene.grid, fill_regions<Dim>(scene)), walls_(scene, state_.grid) {
+      : scene_(scene), state_(scene.grid, fill_regions<Dim>(scene), remembers_gaps(scene)),
+        walls_(scene, state_.grid) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
     for (int a = 0; a < Dim; ++a)
       gravity_[static_cast<std::size_t>(a)] = scene.gravity[scene_axis<Dim>(a)];
@@ -51,6 +62,7 @@ template <int Dim> class SimulationOf final : public Simulation {
     const auto [dt, end] = next_step(until);
     const Scheme scheme = scene_.method.scheme;
     walls_.open_gates(time_);
+    state_.order.update(state_.particles);
 
     if (scheme == Scheme::usf) {
       scatter_pass<Dim, Terms::mass_momentum>(state_);
@@ -145,7 +157,8 @@ template <int Dim> class SimulationOf final : public Simulation {
     for (std::size_t k = 0; k < materials_.size(); ++k)
       std::visit(
           [&](const auto& law) {
-            stress_pass<Dim>(state_, static_cast<std::uint8_t>(k), materials_[k].moduli, law, dt);
+            stress_pass<Dim>(state_, static_cast<std::uint8_t>(k), materials_[k].moduli, law,
+                             materials_[k].opens, dt);
           },
           materials_[k].update);
   }
@@ -165,7 +178,6 @@ template <int Dim> class SimulationOf final : public Simulation {
     for (std::int64_t k = 0; k < n; ++k)
       for (std::size_t i = 0; i < Dim; ++i)
         points.x[i][static_cast<std::size_t>(k)] += points.dx[i][static_cast<std::size_t>(k)];
-    state_.order.update(points);
   }
 
   Real speed(std::size_t p) const {
@@ -244,7 +256,7 @@ template <int Dim> Energies SimulationOf<Dim>::energies() const {
     now.gravitational -= points.m[p] * g_x;
     now.plastic += points.V0[p] * points.dissipation[p];
 
-    // psi = sigma_m^2 / 2K + s:s / 4G
+    // psi = sigma_m^2 / 2K + sigma_m gap + s:s / 4G; where there is a gap, sigma_m = sigma_t
     const ElasticModuli& moduli = materials_[points.material[p]].moduli;
     Real mean = 0.0;
     for (std::size_t i = 0; i < 3; ++i) mean += points.tau[i][p] / 3.0;
@@ -253,7 +265,8 @@ template <int Dim> Energies SimulationOf<Dim>::energies() const {
       const Real s = points.tau[i][p] - (i < 3 ? mean : 0.0);
       s2 += (i < 3 ? 1.0 : 2.0) * s * s;
     }
-    now.strain += points.V0[p] * (0.5 * mean * mean / moduli.bulk + 0.25 * s2 / moduli.shear);
+    now.strain += points.V0[p] *
+                  (mean * (0.5 * mean / moduli.bulk + points.gap[p]) + 0.25 * s2 / moduli.shear);
   }
   for (const auto& at : state_.order.nodes()) {
     const NodeState<Dim>& node = state_.nodal.nodes[static_cast<std::size_t>(at.index)];
@@ -324,6 +337,8 @@ template <int Dim> std::vector<double> SimulationOf<Dim>::field(const std::strin
     scalar([&](std::size_t p) { return points.V0[p] * points.J[p]; });
   } else if (name == "initial_volume") {
     scalar([&](std::size_t p) { return points.V0[p]; });
+  } else if (name == "gap") {
+    scalar([&](std::size_t p) { return points.gap[p]; });
   } else if (name == "region") {
     scalar([&](std::size_t p) { return static_cast<double>(points.region[p]); });
   }
@@ -352,6 +367,8 @@ template <int Dim> std::vector<PlanLine> SimulationOf<Dim>::plan() const {
                          : "three-dimensional, linear shape functions"},
       {"scheme", scheme()},
       {"plasticity", plastic ? "Drucker-Prager" : "none, skipped"},
+      {"gaps", remembers_gaps(scene_) ? "remembered: opened material has to close before it bears"
+                                      : "forgotten, not stored"},
       {"local damping", method.local_damping > 0.0 ? "on" : "none, skipped"},
       {"friction walls", walls_.have_friction() ? "on" : "none, skipped"},
       {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},

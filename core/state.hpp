@@ -18,8 +18,8 @@ template <int Dim> struct State {
   CellOrder<Dim> order;
   GridState<Dim> nodal;
 
-  State(const Grid& scene_grid, Particles<Dim> points)
-      : grid(scene_grid), particles(std::move(points)), order(grid), nodal(grid) {}
+  State(const Grid& scene_grid, Particles<Dim> points, bool tracks_fraction = false)
+      : grid(scene_grid), particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {}
   State(const State&) = delete; // `order` points to `grid`
   State& operator=(const State&) = delete;
 };
@@ -40,8 +40,8 @@ template <int Dim, class Visit> void for_each_node(const State<Dim>& state, Visi
 
 /// Shape functions of a cell's corners at row p; `corner` is the cell's lowest corner in cells.
 template <int Dim>
-[[gnu::always_inline]] inline LinearShape<Dim> shape_at(const State<Dim>& state, const std::type_identity_t<Vec<Dim>>& corner,
-                          std::size_t p) {
+[[gnu::always_inline]] inline LinearShape<Dim>
+shape_at(const State<Dim>& state, const std::type_identity_t<Vec<Dim>>& corner, std::size_t p) {
   Vec<Dim> xi;
   for (std::size_t i = 0; i < Dim; ++i)
     xi[i] = state.grid.scaled(state.particles.x[i][p], i) - corner[i];

@@ -3,8 +3,8 @@
 // The law is written for the Kirchhoff stress tau = J sigma, with the Jaumann rate:
 //   d tau/dt = W tau - tau W + lambda tr(d) I + 2 G d,   then the plastic return.
 // The internal force is - V0 tau . grad N, and its power - V0 tau : d is the very rate at which
-// the stored energy V0 psi(tau) changes: strain and force are adjoint with the fixed weight V0, so no
-// volume change can create energy.  Writing the law for sigma with the current volume V instead
+// the stored energy V0 psi(tau) changes: strain and force are adjoint with the fixed weight V0, so
+// no volume change can create energy.  Writing the law for sigma with the current volume V instead
 // makes a point's stiffness grow with V: a point that has opened in tension by a factor J has the
 // wave speed sqrt(J) c, which breaks the step's CFL condition and throws the point.
 #pragma once
@@ -40,10 +40,12 @@ void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
     const T c = 0.5 * w[2]; // A = W/2 = [[0, a, c], [-a, 0, b], [-c, -b, 0]]
     const T scale = 2.0 / (1.0 + a * a + b * b + c * c);
     // A^2 = n n^T - |n|^2 I with the axis n = (b, -c, a); Cayley: R = I + scale (A + A^2)
-    const Mat<3, T> R = {{{1.0 - scale * (a * a + c * c), scale * (a - b * c), scale * (c + a * b)},
-                          {scale * (-a - b * c), 1.0 - scale * (a * a + b * b), scale * (b - a * c)},
-                          {scale * (a * b - c), scale * (-b - a * c), 1.0 - scale * (b * b + c * c)}}};
-    const Mat<3, T> S = {{{tau[0], tau[3], tau[5]}, {tau[3], tau[1], tau[4]}, {tau[5], tau[4], tau[2]}}};
+    const Mat<3, T> R = {
+        {{1.0 - scale * (a * a + c * c), scale * (a - b * c), scale * (c + a * b)},
+         {scale * (-a - b * c), 1.0 - scale * (a * a + b * b), scale * (b - a * c)},
+         {scale * (a * b - c), scale * (-b - a * c), 1.0 - scale * (b * b + c * c)}}};
+    const Mat<3, T> S = {
+        {{tau[0], tau[3], tau[5]}, {tau[3], tau[1], tau[4]}, {tau[5], tau[4], tau[2]}}};
     Mat<3, T> RS;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
@@ -55,11 +57,12 @@ void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
   }
 }
 
-/// Stress after the strain increment dt sym(grad_v) and spin dt skw(grad_v): elastic trial, then the
-/// law's return.  Returns what was irreversible.
+/// Stress after the strain increment dt sym(grad_v) and spin dt skw(grad_v): elastic trial, then
+/// the law's return.  Returns what was irreversible. `gap` and `room`: see core/drucker_prager.hpp.
 template <int Dim, class T = Real, class Law>
-PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, Real dt,
-                             const ElasticModuli& moduli, const Law& law) {
+PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
+                             const Mat<Dim, T>& grad_v, Real dt, const ElasticModuli& moduli,
+                             const Law& law) {
   const auto spin = [&](std::size_t i, std::size_t j) -> T {
     return 0.5 * dt * (grad_v[i][j] - grad_v[j][i]);
   };
@@ -78,7 +81,15 @@ PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, 
       tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))] +=
           moduli.shear * dt * (grad_v[i][j] + grad_v[j][i]);
   }
-  return law.template operator()<Dim, T>(tau);
+  return law.template operator()<Dim, T>(tau, gap, room);
+}
+
+/// The same with Opening::forgotten.
+template <int Dim, class T = Real, class Law>
+PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, Real dt,
+                             const ElasticModuli& moduli, const Law& law) {
+  T gap = 0.0;
+  return update_stress<Dim, T>(tau, gap, T(0.0), grad_v, dt, moduli, law);
 }
 
 /// Several points in the lanes of one register.
@@ -89,11 +100,14 @@ template <int Dim> struct StressBatch {
   static constexpr std::size_t capacity = 64;
   using Lanes = std::array<Real, capacity>;
   std::size_t size = 0;
+  bool opens = false; ///< whether the law remembers gaps; `gap` and `room` are 0 otherwise
   std::array<std::uint32_t, capacity> row = {};
   Mat<Dim, Lanes> grad_v = {};
   SymTensor<Dim, Lanes> tau = {};
   Lanes strain = {};
   Lanes dissipation = {};
+  Lanes gap = {};
+  Lanes room = {};
 };
 
 template <int Dim, class Law>
@@ -109,7 +123,11 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
       for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j].copy_from(&batch.grad_v[i][j][k], plain);
     SymTensor<Dim, RealPack> tau;
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_from(&batch.tau[i][k], plain);
-    const PlasticStep<RealPack> plastic = update_stress<Dim, RealPack>(tau, grad_v, dt, moduli, law);
+    RealPack gap(&batch.gap[k], plain);
+    const RealPack room(&batch.room[k], plain);
+    const PlasticStep<RealPack> plastic =
+        update_stress<Dim, RealPack>(tau, gap, room, grad_v, dt, moduli, law);
+    gap.copy_to(&batch.gap[k], plain);
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_to(&batch.tau[i][k], plain);
     plastic.strain.copy_to(&batch.strain[k], plain);
     plastic.dissipation.copy_to(&batch.dissipation[k], plain);
@@ -120,6 +138,7 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
   for (std::size_t k = 0; k < batch.size; ++k) {
     const std::size_t p = batch.row[k];
     points.plastic_strain[p] += batch.strain[k];
+    if (batch.opens) points.gap[p] = batch.gap[k];
     points.dissipation[p] += batch.dissipation[k];
     Real volumetric = 0.0;
     for (std::size_t i = 0; i < Dim; ++i) volumetric += batch.grad_v[i][i][k];
@@ -128,24 +147,30 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
   batch.size = 0;
 }
 
-/// All points of one material, with grad v = sum_I v_I (x) grad N_I of the nodes' present velocities.
+/// All points of one material (which remembers gaps, if it `opens`), with grad v = sum_I v_I (x)
+/// grad N_I of the nodes' present velocities.
 template <int Dim, class Law>
 void stress_pass(State<Dim>& state, std::uint8_t material, const ElasticModuli& moduli,
-                 const Law& law, Real dt) {
+                 const Law& law, bool opens, Real dt) {
   constexpr std::size_t corners = GridIndex<Dim>::corners;
   Particles<Dim>& points = state.particles;
   const auto cells = static_cast<std::int64_t>(state.order.cells());
 #pragma omp parallel
   {
     StressBatch<Dim> batch;
+    batch.opens = opens;
 #pragma omp for schedule(static) nowait
     for (std::int64_t s = 0; s < cells; ++s) {
       const auto slot = static_cast<std::size_t>(s);
       const int cell = state.order.cell(slot);
       const int first = state.grid.first_node(cell);
       std::array<Vec<Dim>, corners> v_I;
-      for (std::size_t c = 0; c < corners; ++c)
-        v_I[c] = state.nodal.nodes[static_cast<std::size_t>(first + state.grid.corner_offset[c])].v;
+      std::array<Real, corners> fraction_I;
+      for (std::size_t c = 0; c < corners; ++c) {
+        const auto node = static_cast<std::size_t>(first + state.grid.corner_offset[c]);
+        v_I[c] = state.nodal.nodes[node].v;
+        fraction_I[c] = state.nodal.nodes[node].fraction;
+      }
       const Vec<Dim> corner = corner_of(state.grid, cell);
 
       for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
@@ -158,6 +183,12 @@ void stress_pass(State<Dim>& state, std::uint8_t material, const ElasticModuli& 
             for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += v_I[c][i] * shape.dN[c][j];
         for (std::size_t i = 0; i < Dim; ++i)
           for (std::size_t j = 0; j < Dim; ++j) batch.grad_v[i][j][batch.size] = grad_v[i][j];
+        if (opens) {
+          Real fraction = 0.0;
+          for (std::size_t c = 0; c < corners; ++c) fraction += shape.N[c] * fraction_I[c];
+          batch.room[batch.size] = std::max(1.0 / fraction - 1.0, 0.0);
+          batch.gap[batch.size] = points.gap[p];
+        }
         batch.row[batch.size++] = p;
         if (batch.size == batch.capacity) update_batch(batch, points, dt, moduli, law);
       }

@@ -48,13 +48,7 @@ def differences(directory):
             data.GetPointData().GetArrayName(i): data.GetPointData().GetArray(i)
             for i in range(data.GetPointData().GetNumberOfArrays())
         }
-        if first_fields is None:
-            first_fields = sorted(fields)
-            print(f"{data.GetNumberOfPoints()} points with the fields:")
-            for name in first_fields:
-                low, high = fields[name].GetRange(-1)
-                components = fields[name].GetNumberOfComponents()
-                print(f"  {name}: {components} component(s), magnitude {low:g} to {high:g}")
+        first_fields = first_fields or sorted(fields)
         points, cells = data.GetNumberOfPoints(), data.GetNumberOfCells()
         if (points, cells) != (run["points"], run["points"]):
             yield f"{file.name}: {points} points, {cells} cells, run.json says {run['points']}"
@@ -69,15 +63,20 @@ def differences(directory):
         if stamp is None or stamp.GetTuple1(0) != time:
             yield f"{file.name}: TimeValue is not the {time} of {series.name}"
 
+    print(f"{points} points; at the last time:")
+    for name, values in sorted(fields.items()):
+        low, high = values.GetRange(-1)
+        print(f"  {name}: {values.GetNumberOfComponents()} component(s), magnitude {low:g} to {high:g}")
+
 
 def main():
     """The program."""
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     found = list(differences(pathlib.Path(sys.argv[1])))
-    for line in found:
+    for line in found[:20]:
         print("differs: " + line)
-    print("ParaView reads the series" + (f", {len(found)} difference(s)" if found else ": as recorded"))
+    print(f"ParaView sees {len(found)} difference(s)" if found else "ParaView sees what was recorded")
     sys.exit(1 if found else 0)
 
 

@@ -25,7 +25,8 @@ inline Region box(const std::string& name, const std::string& material, std::arr
   Region region;
   region.name = name;
   region.material = material;
-  region.polygon = {{lower[0], lower[1]}, {upper[0], lower[1]}, {upper[0], upper[1]}, {lower[0], upper[1]}};
+  region.polygon = {
+      {lower[0], lower[1]}, {upper[0], lower[1]}, {upper[0], upper[1]}, {lower[0], upper[1]}};
   region.depth = depth;
   region.velocity = velocity;
   return region;
@@ -58,7 +59,8 @@ inline Material rods() {
 }
 
 /// A pile of rods against a smooth wall at x = 0 on a fixed base, let go at time 0.
-inline Scene pile(double width, double height, double cell_size, double room_width, double room_height) {
+inline Scene pile(double width, double height, double cell_size, double room_width,
+                  double room_height) {
   Scene scene;
   scene.grid = grid_2d(cell_size, {0.0, 0.0}, {room_width, room_height});
   scene.grid.walls[0][0].kind = WallKind::symmetry;

@@ -52,7 +52,8 @@ template <int Dim> SymTensor<Dim> strain_of(const SymTensor<Dim>& stress, const 
 }
 
 /// The law with given q_phi, k_phi, q_psi, by way of the plane-strain cone:
-/// q = 3 t / sqrt(9 + 12 t^2) means t = 3 q / sqrt(9 - 12 q^2), and then c = k sqrt(9 + 12 t^2) / 3.
+/// q = 3 t / sqrt(9 + 12 t^2) means t = 3 q / sqrt(9 - 12 q^2), and then
+/// c = k sqrt(9 + 12 t^2) / 3.
 DruckerPragerUpdate law_of(double q_phi, double k_phi, double q_psi, double sigma_t) {
   const auto tangent = [](double q) { return 3.0 * q / std::sqrt(9.0 - 12.0 * q * q); };
   const auto degrees = [](double t) { return std::atan(t) * 180.0 / 3.14159265358979323846; };
@@ -70,8 +71,8 @@ const DruckerPragerUpdate simple = law_of(0.5, 1.0, 0.0, infinity);
 
 } // namespace
 
-/// E = 2.6, nu = 0.3: K = E / (3 (1 - 2 nu)) = 2.6 / 1.2, G = E / (2 (1 + nu)) = 1, and the modulus of
-/// uniaxial strain E (1 - nu) / ((1 + nu)(1 - 2 nu)) = 2.6 * 0.7 / (1.3 * 0.4) = 3.5.
+/// E = 2.6, nu = 0.3: K = E / (3 (1 - 2 nu)) = 2.6 / 1.2, G = E / (2 (1 + nu)) = 1, and the modulus
+/// of uniaxial strain E (1 - nu) / ((1 + nu)(1 - 2 nu)) = 2.6 * 0.7 / (1.3 * 0.4) = 3.5.
 TEST(ElasticModuli, FromYoungAndPoisson) {
   const ElasticModuli from = ElasticModuli::from(2.6, 0.3);
   EXPECT_NEAR(from.bulk, 2.6 / 1.2, 1e-14);
@@ -93,7 +94,8 @@ TEST(DruckerPrager, ConesOfAThreeFourFiveAngle) {
     double q, k;
   };
   for (const auto& [cone, q, k] :
-       {Case{Cone::inscribed, 1.0 / root3, 12.0 / root3}, Case{Cone::circumscribed, 0.5 * root3, 18.0 / root3},
+       {Case{Cone::inscribed, 1.0 / root3, 12.0 / root3},
+        Case{Cone::circumscribed, 0.5 * root3, 18.0 / root3},
         Case{Cone::plane_strain, 2.25 / std::sqrt(15.75), 27.0 / std::sqrt(15.75)}}) {
     law.cone = cone;
     const auto update = DruckerPragerUpdate::from(law, moduli);
@@ -105,8 +107,9 @@ TEST(DruckerPrager, ConesOfAThreeFourFiveAngle) {
 }
 
 /// The cones touch Mohr-Coulomb  s1 - s3 = 2 c cos - (s1 + s3) sin  (s1 >= s2 >= s3) on its edges:
-/// circumscribed where s1 = s2 (triaxial compression), inscribed where s2 = s3 (triaxial extension).
-/// With s3 = -10 and c = 1:  s1 (1 + sin) = 2 c cos + s3 (1 - sin), so s1 = (1.6 - 4) / 1.6 = -1.5.
+/// circumscribed where s1 = s2 (triaxial compression), inscribed where s2 = s3 (triaxial
+/// extension). With s3 = -10 and c = 1:  s1 (1 + sin) = 2 c cos + s3 (1 - sin), so s1 = (1.6 - 4)
+/// / 1.6 = -1.5.
 TEST(DruckerPrager, ConesTouchMohrCoulombOnItsEdges) {
   DruckerPrager law;
   law.cohesion = 1.0;
@@ -140,7 +143,8 @@ TEST(DruckerPrager, CutOffIsBoundedByTheApex) {
 }
 
 TEST(DruckerPrager, LeavesElasticStressAlone) {
-  for (const SymTensor<2>& before : {shear(-1.0, 1.49), SymTensor<2>{-3.0, -1.0, -2.0, 0.25}, SymTensor<2>{}}) {
+  for (const SymTensor<2>& before :
+       {shear(-1.0, 1.49), SymTensor<2>{-3.0, -1.0, -2.0, 0.25}, SymTensor<2>{}}) {
     SymTensor<2> stress = before;
     const auto step = simple.operator()<2>(stress);
     EXPECT_EQ(stress, before);
@@ -155,9 +159,9 @@ TEST(DruckerPrager, LeavesElasticStressAlone) {
   EXPECT_EQ(stress, unloaded);
 }
 
-/// Trial sigma_m = -1, tau = 3: f = 3 - 0.5 - 1 = 1.5.  No dilation: sigma_m stays, tau = 1 + 0.5 = 1.5,
-/// so the shear stress halves.  gamma_p = (3 - 1.5) / G = 0.75; its equivalent strain is gamma_p / sqrt 3;
-/// the dissipation is tau gamma_p = 1.5 * 0.75 = 1.125.
+/// Trial sigma_m = -1, tau = 3: f = 3 - 0.5 - 1 = 1.5.  No dilation: sigma_m stays, tau = 1 + 0.5
+/// = 1.5, so the shear stress halves.  gamma_p = (3 - 1.5) / G = 0.75; its equivalent strain is
+/// gamma_p / sqrt 3; the dissipation is tau gamma_p = 1.5 * 0.75 = 1.125.
 TEST(DruckerPrager, ShearReturnWithoutDilation) {
   SymTensor<2> stress = shear(-1.0, 3.0);
   const auto step = simple.operator()<2>(stress);
@@ -167,8 +171,8 @@ TEST(DruckerPrager, ShearReturnWithoutDilation) {
   EXPECT_NEAR(step.dissipation, 1.125, 1e-14);
 }
 
-/// Trial (-1 + 4, -1 - 4, -1, 0), sigma_m = -1, tau = 4: tau = 1.5 after the return, so the deviator
-/// (4, -4, 0) shrinks to 3/8: (1.5, -1.5, 0).
+/// Trial (-1 + 4, -1 - 4, -1, 0), sigma_m = -1, tau = 4: tau = 1.5 after the return, so the
+/// deviator (4, -4, 0) shrinks to 3/8: (1.5, -1.5, 0).
 TEST(DruckerPrager, ReturnKeepsTheDirectionOfTheDeviator) {
   SymTensor<3> stress = {3.0, -5.0, -1.0, 0.0, 0.0, 0.0};
   simple.operator()<3>(stress);
@@ -192,8 +196,9 @@ TEST(DruckerPrager, DilatantFlow) {
   EXPECT_NEAR(step.dissipation, 312.0 / 361.0, 1e-14);
 }
 
-/// Cut-off at 0.5, trial sigma_m = 0.9, tau = 0.2: f = 0.2 + 0.45 - 1 < 0, so only the cut-off acts.  tau
-/// stays; the volume opens by (0.9 - 0.5)/3 and dissipates 0.5 * 0.4/3; no deviatoric plastic strain.
+/// Cut-off at 0.5, trial sigma_m = 0.9, tau = 0.2: f = 0.2 + 0.45 - 1 < 0, so only the cut-off
+/// acts.  tau stays; the volume opens by (0.9 - 0.5)/3 and dissipates 0.5 * 0.4/3;
+/// no deviatoric plastic strain.
 TEST(DruckerPrager, CutOffAlone) {
   const DruckerPragerUpdate law = law_of(0.5, 1.0, 0.0, 0.5);
   SymTensor<2> stress = shear(0.9, 0.2);
@@ -204,8 +209,9 @@ TEST(DruckerPrager, CutOffAlone) {
   EXPECT_NEAR(step.dissipation, 0.2 / 3.0, 1e-14);
 }
 
-/// Cut-off at 0.5 (where the cone stands at tau = 0.75), trial sigma_m = 1.5, tau = 0.6: the cone is
-/// broken too (0.6 + 0.75 - 1 > 0), but the trial lies under the edge, so again only the cut-off acts.
+/// Cut-off at 0.5 (where the cone stands at tau = 0.75), trial sigma_m = 1.5, tau = 0.6: the cone
+/// is broken too (0.6 + 0.75 - 1 > 0), but the trial lies under the edge,
+/// so again only the cut-off acts.
 TEST(DruckerPrager, CutOffAloneBesideTheCone) {
   const DruckerPragerUpdate law = law_of(0.5, 1.0, 0.0, 0.5);
   SymTensor<2> stress = shear(1.5, 0.6);
@@ -215,8 +221,8 @@ TEST(DruckerPrager, CutOffAloneBesideTheCone) {
   EXPECT_EQ(step.strain, 0.0);
 }
 
-/// Cut-off at 0.5, trial sigma_m = 1.5, tau = 2.75: both surfaces act, stress at their edge (0.5, 0.75).
-/// Plastic shear (2.75 - 0.75)/2 = 1, volume 1/3; dissipation 0.75 * 1 + 0.5 / 3.
+/// Cut-off at 0.5, trial sigma_m = 1.5, tau = 2.75: both surfaces act, stress at their edge (0.5,
+/// 0.75). Plastic shear (2.75 - 0.75)/2 = 1, volume 1/3; dissipation 0.75 * 1 + 0.5 / 3.
 TEST(DruckerPrager, EdgeOfConeAndCutOff) {
   const DruckerPragerUpdate law = law_of(0.5, 1.0, 0.0, 0.5);
   SymTensor<2> stress = shear(1.5, 2.75);
@@ -229,7 +235,8 @@ TEST(DruckerPrager, EdgeOfConeAndCutOff) {
 
 /// With dilation the return to the cone alone may end below the cut-off: then the cut-off rests.
 /// q_psi = 0.5, trial sigma_m = 0.6, tau = 3.7 (f = 3.7 + 0.3 - 1 = 3):
-/// lambda = 3 / (2 + 0.75) = 12/11, sigma_m = 0.6 - 1.5 * 12/11 = -11.4/11 < 0.5, tau = 3.7 - 24/11 = 16.7/11.
+/// lambda = 3 / (2 + 0.75) = 12/11, sigma_m = 0.6 - 1.5 * 12/11 = -11.4/11 < 0.5,
+/// tau = 3.7 - 24/11 = 16.7/11.
 TEST(DruckerPrager, DilationBringsTheStressBelowTheCutOff) {
   const DruckerPragerUpdate law = law_of(0.5, 1.0, 0.5, 0.5);
   SymTensor<2> stress = shear(0.6, 3.7);
@@ -267,10 +274,12 @@ TEST(DruckerPrager, CohesionlessTensionGivesNoStress) {
 }
 
 /// Random laws and random trial stresses.  What must hold of a return to two surfaces (Koiter) with
-/// plastic multipliers l1 = (tau_trial - tau)/G of the cone and l2 = tr e_p - q_psi l1 of the cut-off:
+/// plastic multipliers l1 = (tau_trial - tau)/G of the cone and l2 = tr e_p - q_psi l1 of the
+/// cut-off:
 ///   admissible: f <= 0 and sigma_m <= sigma_t;  l1 >= 0, l2 >= 0;  l1 > 0 only on the cone, l2 > 0
 ///   only on the cut-off.  (At the apex l1 is at least the slip, which serves.)
-/// The plastic work is stress : e_p with e_p = C^-1 (trial - stress), and never negative for psi <= phi.
+/// The plastic work is stress : e_p with e_p = C^-1 (trial - stress),
+/// and never negative for psi <= phi.
 template <int Dim> void sweep(std::uint64_t seed) {
   Random random(seed);
   int cone_only = 0, cut_only = 0, edge = 0, untouched = 0;
@@ -279,14 +288,17 @@ template <int Dim> void sweep(std::uint64_t seed) {
     material.cohesion = sample % 3 == 0 ? 0.0 : random.between(0.0, 2.0);
     material.friction_angle = random.between(0.0, 60.0);
     material.dilation_angle = sample % 2 == 0 ? 0.0 : random.between(0.0, material.friction_angle);
-    material.cone = std::array{Cone::inscribed, Cone::circumscribed, Cone::plane_strain}[static_cast<std::size_t>(
-        random.between(0.0, 3.0))];
+    material.cone =
+        std::array{Cone::inscribed, Cone::circumscribed,
+                   Cone::plane_strain}[static_cast<std::size_t>(random.between(0.0, 3.0))];
     material.tension_cutoff = sample % 5 == 0 ? infinity : random.between(0.0, 2.0);
-    const ElasticModuli of = ElasticModuli::from(random.between(1.0, 10.0), random.between(0.0, 0.49));
+    const ElasticModuli of =
+        ElasticModuli::from(random.between(1.0, 10.0), random.between(0.0, 0.49));
     const auto law = DruckerPragerUpdate::from(material, of);
 
     SymTensor<Dim> trial;
-    const Real spread = sample % 4 == 0 ? 0.3 : 4.0; // small shear, so that the cut-off may act alone
+    const Real spread =
+        sample % 4 == 0 ? 0.3 : 4.0; // small shear, so that the cut-off may act alone
     for (Real& value : trial) value = random.between(-spread, spread);
     const Real lift = random.between(-8.0, 4.0);
     for (std::size_t i = 0; i < 3; ++i) trial[i] += lift;
@@ -336,9 +348,10 @@ template <int Dim> void sweep(std::uint64_t seed) {
 TEST(DruckerPrager, RandomReturnsAreKoitersSolution2d) { sweep<2>(1); }
 TEST(DruckerPrager, RandomReturnsAreKoitersSolution3d) { sweep<3>(2); }
 
-/// The plane-strain cone is Mohr-Coulomb in plane-strain flow with psi = phi.  Then no plastic strain out
-/// of plane means s_yy = -2 q tau / 3, hence for the in-plane centre p and radius R
-///   p = sigma_m + q tau / 3,  R = tau sqrt(1 - q^2/3),  so f = 0 reads  R = (k - q p) / sqrt(1 - q^2/3),
+/// The plane-strain cone is Mohr-Coulomb in plane-strain flow with psi = phi.  Then no plastic
+/// strain out of plane means s_yy = -2 q tau / 3, hence for the in-plane centre p and radius R
+///   p = sigma_m + q tau / 3,  R = tau sqrt(1 - q^2/3),  so f = 0 reads
+///   R = (k - q p) / sqrt(1 - q^2/3),
 /// and with q = 3 t / sqrt(9 + 12 t^2), k = 3 c / sqrt(9 + 12 t^2): R = c cos(phi) - p sin(phi).
 /// The strain path that keeps the stress where it is has (e1 + e3)/(e1 - e3) = sin(psi) = sin(phi).
 TEST(DruckerPrager, PlaneStrainConeIsMohrCoulombInFlow) {
@@ -357,7 +370,8 @@ TEST(DruckerPrager, PlaneStrainConeIsMohrCoulombInFlow) {
   EXPECT_GT(mohr_coulomb, 20e3) << "still under pressure";
   EXPECT_NEAR(R / mohr_coulomb, 1.0, 1e-10);
 
-  // The inscribed cone in its own flow (psi = phi) is weaker: here q = 1/sqrt 3, so R / tau = sqrt(8/9).
+  // The inscribed cone in its own flow (psi = phi) is weaker: here q = 1/sqrt 3, so
+  // R / tau = sqrt(8/9).
   soil.cone = Cone::inscribed;
   const auto weak = DruckerPragerUpdate::from(soil, of);
   tau = {-100e3, -100e3, -100e3, 0.0};

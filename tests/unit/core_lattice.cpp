@@ -25,7 +25,8 @@ Scene scene_of(const std::vector<Region>& regions) {
   return scene;
 }
 
-Region polygon_region(const std::string& name, const std::string& material, const Polygon& polygon) {
+Region polygon_region(const std::string& name, const std::string& material,
+                      const Polygon& polygon) {
   Region region;
   region.name = name;
   region.material = material;
@@ -67,11 +68,12 @@ TEST(Measure, Concave) {
   EXPECT_NEAR(l.centroid[1], 5.0 / 6.0, 1e-15);
 }
 
-/// A micrometre square a kilometre away: coordinates are only known to 1e-13 m there, areas relative to
-/// the origin would have no digit right.
+/// A micrometre square a kilometre away: coordinates are only known to 1e-13 m there, areas
+/// relative to the origin would have no digit right.
 TEST(Measure, SmallAndFarAway) {
   const double a = 0x1p-20, far = 1024.0; // exact in binary
-  const PolygonMeasure square = measure({{far, far}, {far + a, far}, {far + a, far + a}, {far, far + a}});
+  const PolygonMeasure square =
+      measure({{far, far}, {far + a, far}, {far + a, far + a}, {far, far + a}});
   EXPECT_EQ(square.area, a * a);
   EXPECT_EQ(square.centroid[0], far + 0.5 * a);
 }
@@ -97,7 +99,8 @@ TEST(Clip, HalfASquare) {
   EXPECT_NEAR(half.centroid[1], 1.0 / 3.0, 1e-15);
 }
 
-/// A U whose two arms (each 1 x 2) the rectangle meets without its bottom: two pieces, together 2 * 1 * 1.
+/// A U whose two arms (each 1 x 2) the rectangle meets without its bottom:
+/// two pieces, together 2 * 1 * 1.
 TEST(Clip, ConcaveInTwoPieces) {
   const Polygon u = {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
   const PolygonMeasure arms = measure(clip(u, {0, 2}, {3, 3}));
@@ -112,28 +115,32 @@ TEST(Clip, PiecesAddUpToTheWhole) {
   for (int sample = 0; sample < 50; ++sample) {
     Polygon star; // simple: its corners go round the centre
     for (int k = 0; k < 9; ++k) {
-      const double angle = 2.0 * 3.14159265358979323846 * k / 9.0, radius = random.between(0.5, 3.0);
+      const double angle = 2.0 * 3.14159265358979323846 * k / 9.0,
+                   radius = random.between(0.5, 3.0);
       star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     double area = 0.0;
     Point2 moment = {0, 0};
     for (int i = -6; i < 6; ++i)
       for (int k = -6; k < 6; ++k) {
-        const PolygonMeasure piece = measure(clip(star, {0.5 * i, 0.5 * k}, {0.5 * (i + 1), 0.5 * (k + 1)}));
+        const PolygonMeasure piece =
+            measure(clip(star, {0.5 * i, 0.5 * k}, {0.5 * (i + 1), 0.5 * (k + 1)}));
         EXPECT_GE(piece.area, -1e-15);
         area += piece.area;
         for (std::size_t a = 0; a < 2; ++a) moment[a] += piece.area * piece.centroid[a];
       }
     const PolygonMeasure whole = measure(star);
     EXPECT_NEAR(area, whole.area, 1e-13);
-    for (std::size_t a = 0; a < 2; ++a) EXPECT_NEAR(moment[a], whole.area * whole.centroid[a], 1e-13);
+    for (std::size_t a = 0; a < 2; ++a)
+      EXPECT_NEAR(moment[a], whole.area * whole.centroid[a], 1e-13);
   }
 }
 
-/// A box of 2 m x 1 m on a lattice of 0.25 m: 8 x 4 points of 0.0625 m2, the first at (0.125, 0.125),
-/// x running fastest.
+/// A box of 2 m x 1 m on a lattice of 0.25 m: 8 x 4 points of 0.0625 m2, the first at (0.125,
+/// 0.125), x running fastest.
 TEST(FillRegions, Box) {
-  const auto points = fill_regions<2>(scene_of({box("b", "rock", {0, 0}, {2, 1}, {3.0, 7.0, -4.0})}));
+  const auto points =
+      fill_regions<2>(scene_of({box("b", "rock", {0, 0}, {2, 1}, {3.0, 7.0, -4.0})}));
   ASSERT_EQ(points.size(), 32U);
   for (std::size_t p = 0; p < points.size(); ++p) {
     EXPECT_NEAR(points.x[0][p], 0.125 + 0.25 * static_cast<double>(p % 8), 1e-15);
@@ -148,10 +155,11 @@ TEST(FillRegions, Box) {
   }
 }
 
-/// The 45 degree face of x + z <= 1 cuts lattice squares in half: a triangle of half the area whose centroid
-/// is a third of the square's side from its right angle.
+/// The 45 degree face of x + z <= 1 cuts lattice squares in half: a triangle of half the area whose
+/// centroid is a third of the square's side from its right angle.
 TEST(FillRegions, FaceAt45Degrees) {
-  const auto points = fill_regions<2>(scene_of({polygon_region("slope", "rock", {{0, 0}, {1, 0}, {0, 1}})}));
+  const auto points =
+      fill_regions<2>(scene_of({polygon_region("slope", "rock", {{0, 0}, {1, 0}, {0, 1}})}));
   const double a = 0.25;
   ASSERT_EQ(points.size(), 10U) << "6 whole squares and 4 triangles";
   int triangles = 0;
@@ -170,9 +178,17 @@ TEST(FillRegions, FaceAt45Degrees) {
 
 /// Mass and centre of mass are the polygon's, whatever its shape and sense of rotation.
 TEST(FillRegions, MassAndCentreOfAnyPolygon) {
-  for (Polygon polygon : {Polygon{{0.1, 0.07}, {2.3, 0.2}, {1.1, 1.9}},
-                          Polygon{{-0.3, -0.2}, {2.1, 0.1}, {2.0, 1.2}, {0.9, 0.4}, {0.3, 2.4}}, // concave
-                          Polygon{{0, 0}, {2.9, 0}, {2.9, 2.9}, {2.0, 2.9}, {2.0, 0.9}, {0.9, 0.9}, {0.9, 2.7}, {0, 2.7}}}) {
+  for (Polygon polygon :
+       {Polygon{{0.1, 0.07}, {2.3, 0.2}, {1.1, 1.9}},
+        Polygon{{-0.3, -0.2}, {2.1, 0.1}, {2.0, 1.2}, {0.9, 0.4}, {0.3, 2.4}}, // concave
+        Polygon{{0, 0},
+                {2.9, 0},
+                {2.9, 2.9},
+                {2.0, 2.9},
+                {2.0, 0.9},
+                {0.9, 0.9},
+                {0.9, 2.7},
+                {0, 2.7}}}) {
     for (int sense = 0; sense < 2; ++sense) {
       const PolygonMeasure whole = measure(polygon);
       const auto points = fill_regions<2>(scene_of({polygon_region("part", "ice", polygon)}));
@@ -187,7 +203,8 @@ TEST(FillRegions, MassAndCentreOfAnyPolygon) {
   }
 }
 
-/// In 3-D the same polygon, y from 0.1 to 0.6 on a lattice of 0.25: slices 0.1-0.25, 0.25-0.5, 0.5-0.6.
+/// In 3-D the same polygon, y from 0.1 to 0.6 on a lattice of 0.25:
+/// slices 0.1-0.25, 0.25-0.5, 0.5-0.6.
 TEST(FillRegions, PartialDepth) {
   Scene scene = scene_of({box("b", "rock", {0, 0}, {0.5, 0.25}, {1.0, 2.0, 3.0}, {0.1, 0.6})});
   scene.grid = grid_3d(0.5, {-1.0, 0.0, -1.0}, {3.0, 1.0, 3.0});
@@ -223,7 +240,8 @@ TEST(FillRegions, RegionsSideBySide) {
 
 TEST(FillRegions, OverlapNamesBothRegions) {
   const std::string message = setup_error([] {
-    fill_regions<2>(scene_of({box("lower", "rock", {0, 0}, {1, 1}), box("upper", "ice", {0.5, 0.75}, {2, 2})}));
+    fill_regions<2>(
+        scene_of({box("lower", "rock", {0, 0}, {1, 1}), box("upper", "ice", {0.5, 0.75}, {2, 2})}));
   });
   EXPECT_NE(message.find("'lower'"), std::string::npos) << message;
   EXPECT_NE(message.find("'upper'"), std::string::npos) << message;
@@ -231,9 +249,10 @@ TEST(FillRegions, OverlapNamesBothRegions) {
 }
 
 TEST(FillRegions, OutsideTheGridNamesTheRegion) {
-  for (const auto& [lower, upper] :
-       {std::pair{Point2{-1.1, 0}, Point2{1, 1}}, {Point2{0, -1.1}, Point2{1, 1}},
-        {Point2{0, 0}, Point2{3.1, 1}}, {Point2{0, 0}, Point2{1, 3.1}}}) {
+  for (const auto& [lower, upper] : {std::pair{Point2{-1.1, 0}, Point2{1, 1}},
+                                     {Point2{0, -1.1}, Point2{1, 1}},
+                                     {Point2{0, 0}, Point2{3.1, 1}},
+                                     {Point2{0, 0}, Point2{1, 3.1}}}) {
     const std::string message =
         setup_error([&] { fill_regions<2>(scene_of({box("far", "rock", lower, upper)})); });
     EXPECT_NE(message.find("'far'"), std::string::npos) << message;
@@ -245,18 +264,22 @@ TEST(FillRegions, OutsideTheGridNamesTheRegion) {
 }
 
 TEST(FillRegions, EmptyRegionsAreNamed) {
-  const std::string flat = setup_error(
-      [] { fill_regions<2>(scene_of({box("b", "rock", {0, 0}, {1, 1}), box("flat", "rock", {0, 2}, {1, 2})})); });
+  const std::string flat = setup_error([] {
+    fill_regions<2>(
+        scene_of({box("b", "rock", {0, 0}, {1, 1}), box("flat", "rock", {0, 2}, {1, 2})}));
+  });
   EXPECT_NE(flat.find("'flat'"), std::string::npos) << flat;
   Scene no_depth = scene_of({box("sheet", "rock", {0, 0}, {1, 1})}); // depth 0 .. 0
   no_depth.grid = grid_3d(0.5, {-1.0, 0.0, -1.0}, {3.0, 1.0, 3.0});
   EXPECT_NE(setup_error([&] { fill_regions<3>(no_depth); }).find("'sheet'"), std::string::npos);
-  EXPECT_NE(setup_error([] { fill_regions<2>(scene_of({})); }).find("no region"), std::string::npos);
+  EXPECT_NE(setup_error([] { fill_regions<2>(scene_of({})); }).find("no region"),
+            std::string::npos);
 }
 
 TEST(FillRegions, UnknownMaterialIsNamed) {
-  const std::string message =
-      setup_error([] { fill_regions<2>(scene_of({box("b", "basalt", {0, 0}, {1, 1})})); });
+  const std::string message = setup_error([] {
+    fill_regions<2>(scene_of({box("b", "basalt", {0, 0}, {1, 1})}));
+  });
   EXPECT_NE(message.find("'basalt'"), std::string::npos) << message;
   EXPECT_NE(message.find("'b'"), std::string::npos) << message;
 }

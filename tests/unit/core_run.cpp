@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
 using namespace scarp;
 using namespace scarp::test;
 
@@ -37,7 +41,24 @@ TEST(Run, FramesAtMultiplesOfTheInterval) {
   EXPECT_EQ(record.steps, simulation->steps());
   EXPECT_GT(summary.peak_kinetic, 0.0);
   EXPECT_LE(summary.shortest_step, summary.longest_step);
-  EXPECT_GT(summary.shortest_step, 0.9 * summary.longest_step) << "without the steps cut for frames";
+  EXPECT_GT(summary.shortest_step, 0.9 * summary.longest_step)
+      << "without the steps cut for frames";
+}
+
+/// 0.001 added up ten times is not 0.01 in binary; ten times 0.001 is.
+TEST(Run, FrameTimesDoNotDrift) {
+  Scene scene = small_pile();
+  scene.timing.end_time = 0.01;
+  scene.timing.output_interval = 0.001;
+  Record record;
+  run(*make_simulation(scene), scene.timing, record);
+  ASSERT_EQ(record.frames.size(), 11U);
+  double added_up = 0.0;
+  for (std::size_t frame = 0; frame < 11; ++frame) {
+    EXPECT_EQ(record.frames[frame], 0.001 * static_cast<double>(frame));
+    if (frame > 0) added_up += 0.001;
+  }
+  EXPECT_NE(added_up, 0.01) << "or this test shows nothing";
 }
 
 /// A row at the first step at or after each multiple of history_interval.

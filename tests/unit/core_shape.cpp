@@ -97,7 +97,8 @@ TYPED_TEST(Shape, ReproducesLinearFields) {
   }
 }
 
-/// N is linear along each axis, so a central difference of any width inside the cell is its exact slope.
+/// N is linear along each axis, so a central difference of any
+/// width inside the cell is its exact slope.
 TYPED_TEST(Shape, GradientIsTheSlopeOfN) {
   constexpr int Dim = TypeParam::value;
   for (int sample = 0; sample < this->samples; ++sample) {

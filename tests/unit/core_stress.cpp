@@ -25,12 +25,14 @@ template <int Dim> std::array<Real, 3> invariants(const SymTensor<Dim>& s) {
   return {s[0] + s[1] + s[2], square, det};
 }
 
-template <int Dim> void expect_near(const SymTensor<Dim>& a, const SymTensor<Dim>& b, double tolerance) {
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
+template <int Dim>
+void expect_near(const SymTensor<Dim>& a, const SymTensor<Dim>& b, double tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
 }
 
-/// The spin increment of which Hughes and Winget's rotation is by `angle`: (I - W/2)^-1 (I + W/2) turns
-/// by 2 atan(w/2).
+/// The spin increment of which Hughes and Winget's rotation is by `angle`: (I - W/2)^-1 (I + W/2)
+/// turns by 2 atan(w/2).
 double spin_of(double angle) { return 2.0 * std::tan(0.5 * angle); }
 
 constexpr ElasticModuli moduli = {5.0, 3.0};
@@ -54,13 +56,14 @@ TEST(Rotate, KeepsInvariants3d) {
     SymTensor<3> stress;
     for (Real& value : stress) value = random.between(-1.0, 1.0);
     const auto before = invariants<3>(stress);
-    rotate<3>(stress, {random.between(-3.0, 3.0), random.between(-3.0, 3.0), random.between(-3.0, 3.0)});
+    rotate<3>(stress,
+              {random.between(-3.0, 3.0), random.between(-3.0, 3.0), random.between(-3.0, 3.0)});
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(invariants<3>(stress)[i], before[i], 1e-13);
   }
 }
 
-/// W_xz = (dv_x/dz - dv_z/dx)/2 > 0 turns z towards x.  A stress along x goes with the body: after 30
-/// degrees, x has turned to (cos, -sin), so sigma = (cos^2, sin^2, -sin cos) in xx, zz, xz.
+/// W_xz = (dv_x/dz - dv_z/dx)/2 > 0 turns z towards x.  A stress along x goes with the body: after
+/// 30 degrees, x has turned to (cos, -sin), so sigma = (cos^2, sin^2, -sin cos) in xx, zz, xz.
 TEST(Rotate, TurnsTheWayTheSpinTurns2d) {
   SymTensor<2> stress = {1.0, 0.0, 0.0, 0.0};
   rotate<2>(stress, {spin_of(pi / 6.0)});
@@ -75,9 +78,9 @@ TEST(Rotate, QuarterTurnInManySteps2d) {
   }
 }
 
-/// A quarter turn about each axis swaps the two normal stresses across it and negates the shear between
-/// them.  The spin W_ij > 0 turns j towards i, that is e_j -> e_i, e_i -> -e_j; the shears with the axis k follow:
-/// s_ik (old j) and s_jk -> -(old i).
+/// A quarter turn about each axis swaps the two normal stresses across it and negates the shear
+/// between them.  The spin W_ij > 0 turns j towards i, that is e_j -> e_i, e_i -> -e_j; the shears
+/// with the axis k follow: s_ik (old j) and s_jk -> -(old i).
 TEST(Rotate, QuarterTurnAboutEachAxis3d) {
   const SymTensor<3> start = {1.0, 2.0, 3.0, 0.4, 0.5, 0.6}; // xx yy zz xy yz xz
   struct Case {
@@ -169,10 +172,10 @@ TEST(UpdateStress, SimpleShear) {
     }
 }
 
-/// Simple shear to gamma = 1 with the Jaumann rate (Dienes 1979, Acta Mechanica 32:217): the spin is
-/// gamma'/2, so tau_xz = G sin(gamma), tau_xx = -tau_zz = G (1 - cos(gamma)).  In N steps the midpoint
-/// rotation is of second order only in the angle; the increment is added after the turn, an error of
-/// first order in 1/N.
+/// Simple shear to gamma = 1 with the Jaumann rate (Dienes 1979, Acta Mechanica 32:217): the spin
+/// is gamma'/2, so tau_xz = G sin(gamma), tau_xx = -tau_zz = G (1 - cos(gamma)).  In N steps the
+/// midpoint rotation is of second order only in the angle; the increment is added after the turn,
+/// an error of first order in 1/N.
 TEST(UpdateStress, LargeSimpleShearFollowsTheJaumannRate) {
   std::array<double, 2> error;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -195,6 +198,7 @@ TEST(UpdateStress, RigidRevolution) {
   const Mat<2> grad_v = {{{0.0, spin_of(2.0 * pi / steps)}, {-spin_of(2.0 * pi / steps), 0.0}}};
   const SymTensor<2> start = {3.0, -2.0, 0.5, 0.7};
   SymTensor<2> stress = start;
-  for (int step = 0; step < steps; ++step) update_stress<2>(stress, grad_v, 1.0, moduli, ElasticUpdate{});
+  for (int step = 0; step < steps; ++step)
+    update_stress<2>(stress, grad_v, 1.0, moduli, ElasticUpdate{});
   expect_near<2>(stress, start, 1e-12);
 }

@@ -114,8 +114,8 @@ TEST(Walls, Corners) {
   EXPECT_EQ(fixture.constrained(node(1, 3), {1.0, -2.0}), (Vec<2>{1.0, 0.0}));
 }
 
-/// Coulomb: stopping the motion into the wall, 2 m/s, takes the normal impulse 2 m; the tangential one is
-/// at most mu times it, 0.5 * 2 m = 1 m, so a slip of 3 m/s loses 1 m/s.
+/// Coulomb: stopping the motion into the wall, 2 m/s, takes the normal impulse 2 m; the tangential
+/// one is at most mu times it, 0.5 * 2 m = 1 m, so a slip of 3 m/s loses 1 m/s.
 TEST(Walls, CoulombFriction2d) {
   Scene scene = scene_2d();
   scene.grid.walls[2][0] = friction(0.5);
@@ -145,7 +145,8 @@ TEST(Walls, CoulombFrictionOnUpperSides) {
   EXPECT_EQ(fixture.resisted(node(4, 1), {-2.0, 3.0}), (Vec<2>{-2.0, 3.0}));
 }
 
-/// In 3-D friction acts against the whole slip (3, 4), 5 m/s: it loses 0.5 * 2 = 1 m/s in its direction.
+/// In 3-D friction acts against the whole slip (3, 4), 5 m/s:
+/// it loses 0.5 * 2 = 1 m/s in its direction.
 TEST(Walls, CoulombFriction3d) {
   Scene scene = scene_3d();
   scene.grid.walls[2][0] = friction(0.5);
@@ -222,7 +223,8 @@ TEST(Walls, Gates3d) {
       for (int j = 0; j <= 2; ++j)
         for (int i = 0; i <= 4; ++i) {
           Vec<3> expected = {1.0, -2.0, 3.0};
-          if (std::array{i, j, k}[static_cast<std::size_t>(axis)] == 1) expected[static_cast<std::size_t>(axis)] = 0.0;
+          if (std::array{i, j, k}[static_cast<std::size_t>(axis)] == 1)
+            expected[static_cast<std::size_t>(axis)] = 0.0;
           EXPECT_EQ(fixture.constrained(node(i, j, k), {1.0, -2.0, 3.0}), expected);
         }
   }
