@@ -29,6 +29,7 @@ template <int Dim> void gather_momentum_pass(State<Dim>& state, const Walls<Dim>
     const Real inv_m = node.m > 0.0 ? 1.0 / node.m : 0.0;
     for (std::size_t i = 0; i < Dim; ++i) node.v[i] = node.mv[i] * inv_m;
     walls.constrain(at.index, node.v);
+    walls.hold_back(at.index, node.v); // as the remap does: position and strain see one velocity
   });
 }
 
@@ -54,16 +55,16 @@ void advance_momentum_pass(State<Dim>& state, const Walls<Dim>& walls,
     const Vec<Dim> before = node.v;
     for (std::size_t i = 0; i < Dim; ++i) node.v[i] += dt_over_m * (node.f[i] + drag[i]);
     walls.constrain(at.index, node.v);
-    node.damped = 0.0;
-    for (std::size_t i = 0; i < Dim; ++i) node.damped -= dt * drag[i] * node.v[i];
     node.rubbed = 0.0;
     if (walls.have_friction()) {
       const Vec<Dim> free = node.v;
       walls.resist(at.index, node.v);
-      // The points move with v, so the wall's impulse works on v.
       for (std::size_t i = 0; i < Dim; ++i)
         node.rubbed += node.m * (free[i] - node.v[i]) * node.v[i];
     }
+    // Forces work on the velocity that the points move with.
+    node.damped = 0.0;
+    for (std::size_t i = 0; i < Dim; ++i) node.damped -= dt * drag[i] * node.v[i];
     for (std::size_t i = 0; i < Dim; ++i) node.dv[i] = node.v[i] - before[i];
   });
 }
