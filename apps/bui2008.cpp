@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// s, the moments of figure 3; the last panel is the end.
+/// s after the release, the moments of figure 3; the last panel is the end.
 constexpr std::array<double, 4> typical_times = {0.0, 0.1, 0.2, 0.3};
 
 struct Measures {
@@ -64,14 +64,16 @@ void draw_model(const fs::path& file, const io::Frame& first, const Scene& scene
   render::write_png(file, render::render_model(first, style));
 }
 
-void draw_panels(const fs::path& file, const io::SeriesReader& series) {
+void draw_panels(const fs::path& file, const io::SeriesReader& series, double release) {
   std::vector<io::Frame> frames;
   for (const double time : typical_times)
     for (std::size_t i = 0; i < series.size(); ++i)
-      if (std::abs(series.time(i) - time) < 1e-9) frames.push_back(series.read(i));
+      if (std::abs(series.time(i) - release - time) < 1e-9) frames.push_back(series.read(i));
   frames.push_back(series.read(series.size() - 1));
   render::FrameStyle style;
-  style.range = render::common_range(frames, style.field);
+  // Up to 3 shows the bands of shear; the layer that slides on the base goes far beyond.
+  style.range = render::ColourRange{
+      .lower = 0.0, .upper = 3.0, .bands = 12, .values_below = false, .values_above = true};
   style.view = render::common_view(frames);
   style.height = 0;
   render::write_png(file, render::render_panels(frames, style));
@@ -119,7 +121,8 @@ void reproduce_bui2008(const Bui2008Options& options) {
 
   using Clock = std::chrono::steady_clock;
   draw_model(options.out / "figure2_model.png", series.read(0), scene);
-  draw_panels(options.out / "figure3_plastic_strain.png", series);
+  draw_panels(options.out / "figure3_plastic_strain.png", series,
+              scene.gates.empty() ? 0.0 : scene.gates.front().release_time);
   render::write_png(options.out / "figure5_validation.png",
                     render::render_validation(last, {.surface = surface, .failure = failure}));
   draw_energies(options.out / "energies.png", history);

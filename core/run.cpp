@@ -42,7 +42,7 @@ RunSummary run(Simulation& simulation, const Timing& timing, Observer& observer)
     const Energies energies = simulation.energies();
     summary.peak_kinetic = std::max(summary.peak_kinetic, energies.kinetic);
     observer.history(simulation, energies);
-    return rest.at_rest(simulation.time(), energies.grid_kinetic);
+    return !simulation.waits_for_gate() && rest.at_rest(simulation.time(), energies.grid_kinetic);
   };
 
   observer.frame(simulation);

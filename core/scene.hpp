@@ -94,6 +94,9 @@ struct Method {
   Scheme scheme = Scheme::musl;
   double flip = 1.0;          ///< part of FLIP in the velocity update, 1 - flip of PIC
   double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1
+  /// The same while a gate has still to open, so that what it holds comes to rest; the larger of
+  /// the two counts.
+  double settling_damping = 0.0;
 };
 
 struct Timing {
@@ -104,8 +107,8 @@ struct Timing {
   double history_interval = 0.0;
   double cfl = 0.3;                                               ///< part of the critical step
   double max_time_step = std::numeric_limits<double>::infinity(); ///< s
-  /// The run ends once the kinetic energy of the nodes (Energies::grid_kinetic) has stayed below
-  /// this part of its peak for rest_duration; 0 = never.
+  /// The run ends once, after the last gate has opened, the kinetic energy of the nodes
+  /// (Energies::grid_kinetic) has stayed below this part of its peak for rest_duration; 0 = never.
   double rest_energy_fraction = 0.0;
   double rest_duration = 0.0; ///< s
 };

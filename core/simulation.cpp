@@ -73,7 +73,7 @@ template <int Dim> class SimulationOf final : public Simulation {
       scatter_pass<Dim, Terms::all>(state_);
       gather_momentum_pass(state_, walls_);
     }
-    advance_momentum_pass(state_, walls_, gravity_, scene_.method.local_damping, dt);
+    advance_momentum_pass(state_, walls_, gravity_, damping(), dt);
     add_up_losses();
 
     if (scheme == Scheme::musl) {
@@ -98,6 +98,8 @@ template <int Dim> class SimulationOf final : public Simulation {
   std::size_t points() const override { return state_.particles.size(); }
   std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
   std::size_t occupied_cells() const override { return state_.order.cells(); }
+
+  bool waits_for_gate() const override { return std::isfinite(walls_.next_opening(time_)); }
 
   double stable_time_step() const override {
     Real wave_speed = 0.0;
@@ -163,8 +165,14 @@ template <int Dim> class SimulationOf final : public Simulation {
           materials_[k].update);
   }
 
+  Real damping() const {
+    const Method& method = scene_.method;
+    return waits_for_gate() ? std::max(method.settling_damping, method.local_damping)
+                            : method.local_damping;
+  }
+
   void add_up_losses() {
-    if (scene_.method.local_damping == 0.0 && !walls_.have_friction()) return;
+    if (damping() == 0.0 && !walls_.have_friction()) return;
     for (const auto& at : state_.order.nodes()) {
       damping_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].damped;
       friction_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].rubbed;
@@ -370,6 +378,9 @@ template <int Dim> std::vector<PlanLine> SimulationOf<Dim>::plan() const {
       {"gaps", remembers_gaps(scene_) ? "remembered: opened material has to close before it bears"
                                       : "forgotten, not stored"},
       {"local damping", method.local_damping > 0.0 ? "on" : "none, skipped"},
+      {"settling", scene_.gates.empty()                   ? "no gate, skipped"
+                   : scene_.method.settling_damping > 0.0 ? "damped until the last gate opens"
+                                                          : "not damped"},
       {"friction walls", walls_.have_friction() ? "on" : "none, skipped"},
       {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},
   };

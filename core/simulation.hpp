@@ -54,6 +54,7 @@ class Simulation {
   virtual std::size_t points() const = 0;
   virtual std::size_t cells() const = 0; ///< of the whole grid
   virtual std::size_t occupied_cells() const = 0;
+  virtual bool waits_for_gate() const = 0;     ///< whether a gate has still to open
   virtual double stable_time_step() const = 0; ///< s, of the present state
   virtual Energies energies() const = 0;
   virtual double front() const = 0; ///< m, largest x of a point

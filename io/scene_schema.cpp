@@ -113,6 +113,9 @@ Section<Method> method_section() {
                          "Part of FLIP in the velocity update; the rest is PIC."),
           number<Method>("local_damping", "", &Method::local_damping, {.at_least = 0, .below = 1},
                          "Cundall's non-viscous damping of the nodal forces."),
+          number<Method>("settling_damping", "", &Method::settling_damping,
+                         {.at_least = 0, .below = 1},
+                         "The same while a gate has still to open; the larger of the two counts."),
       }};
 }
 
