@@ -71,7 +71,14 @@ watched() { # DESCRIPTION COMMAND ... -- COMMAND ...
 }
 
 last_line() { # LOG
-  tail -c 300 "$1" | tr '\r' '\n' | tail -n 1 | tr -cd '[:print:]' | cut -c 1-100
+  tail -c 1000 "$1" | tr '\r' '\n' | grep -v 'warnings generated' | tail -n 1 | tr -cd '[:print:]' |
+    cut -c 1-100
+}
+
+# The end of a log without what went well.
+show_failure() { # LOG
+  grep -vE '^\[[0-9]+/[0-9]+\] (Build|clang-tidy)|warnings generated|^ +Start |  Passed  ' "$1" |
+    tail -n 150 >&2
 }
 
 logged() { # LOG COMMAND ...
@@ -88,8 +95,8 @@ stage() { # NAME DESCRIPTION COMMAND ...
   watched "$what" last_line "$log" -- logged "$log" "$@" || status=$?
   if [ -n "$on_terminal" ]; then printf '\r\033[K'; fi
   if [ "$status" != 0 ]; then
-    tail -n 100 "$log" >&2
-    fail "failed with exit code $status: $what (all of it: $log)"
+    show_failure "$log"
+    fail "exit code $status from: $what (all of its output: $log)"
   fi
   say "$what: done in $((SECONDS - began)) s"
 }
@@ -158,9 +165,8 @@ check_format() {
     xargs -0 clang-format --dry-run -Werror
 }
 
-check_with_sanitizers() {
-  cmake --preset sanitize && cmake --build --preset sanitize -j "$processors" &&
-    ctest --preset sanitize
+build_with_sanitizers() {
+  cmake --preset sanitize && cmake --build --preset sanitize -j "$processors"
 }
 
 run_demo() {
@@ -177,8 +183,9 @@ run_tests() {
   stage configure "configure build/ (Release, warnings are errors)" cmake --preset ci
   stage build "build program and tests" cmake --build --preset ci -j "$processors"
   stage tidy "check sources (clang-tidy)" cmake --build --preset ci -j "$processors" --target tidy -- -k 0
-  stage sanitize "build and run unit tests with address and undefined-behaviour sanitizers" \
-    check_with_sanitizers
+  stage sanitize-build "build unit and image tests with address and undefined-behaviour sanitizers" \
+    build_with_sanitizers
+  stage sanitize "run them" ctest --preset sanitize
   say "logs of these stages: $logs/; pictures that differ: build/tests/image/results/"
   say "run all tests of build/ (ctest --preset ci)"
   exec ctest --preset ci

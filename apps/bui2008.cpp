@@ -107,7 +107,6 @@ void reproduce_bui2008(const Bui2008Options& options) {
   std::vector<std::string> set = {fmt::format("grid.cell_size_m={}", options.cell_size)};
   set.insert(set.end(), options.set.begin(), options.set.end());
   const Scene scene = io::read_scene(data / "scenes/bui2008.toml", set);
-  make_directory(options.out);
 
   const RunOutcome outcome = run_scene(scene, options.out, "bui2008", options.threads);
 
@@ -175,6 +174,7 @@ void reproduce_bui2008(const Bui2008Options& options) {
       {"strain", last_of(history, "strain_J_per_m")},
       {"plastic_dissipation", last_of(history, "plastic_dissipation_J_per_m")},
       {"damping", last_of(history, "damping_J_per_m")},
+      {"wall_friction", last_of(history, "wall_friction_J_per_m")},
       {"scheme_loss", loss}};
   summary["scheme_loss_part"] = loss / work;
   io::write_json(options.out / "summary.json", summary);

@@ -18,6 +18,8 @@ namespace {
 std::vector<std::size_t> chosen_frames(const std::string& words, std::size_t count) {
   std::vector<std::size_t> frames;
   const auto range = [&](std::size_t first, std::size_t last) {
+    if (first > last)
+      throw UsageError(fmt::format("--frames {}: {}-{} runs backwards", words, first, last));
     for (std::size_t i = first; i <= last; ++i) frames.push_back(i);
   };
   if (words == "all") {
@@ -65,6 +67,14 @@ struct Options {
   std::vector<double> range;
 };
 
+void require_column(const io::Frame& frame, const std::string& name) {
+  try {
+    frame.column(name);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(std::string("--field: ") + error.what());
+  }
+}
+
 void render_series(Options options) {
   const io::SeriesReader series(options.series);
   const std::vector<std::size_t> frames = chosen_frames(options.frames, series.size());
@@ -72,7 +82,6 @@ void render_series(Options options) {
   if (options.out.empty())
     options.out = std::filesystem::is_directory(options.series) ? options.series
                                                                 : options.series.parent_path();
-  make_directory(options.out);
   render::FrameStyle& style = options.style;
   style.colours = render::colour_map(options.colours);
 
@@ -81,6 +90,7 @@ void render_series(Options options) {
   std::optional<render::Box> view;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const io::Frame frame = series.read(i);
+    require_column(frame, style.field.name);
     const render::ValueSpread here = render::value_spread(frame, style.field);
     spread = spread ? render::united(*spread, here) : here;
     view = view ? render::united(*view, render::body_view(frame)) : render::body_view(frame);
@@ -97,6 +107,7 @@ void render_series(Options options) {
   }
   style.view = view;
 
+  make_directory(options.out);
   for (const std::size_t index : frames) {
     const std::filesystem::path file =
         options.out / fmt::format("{}_{}_{:06}.png", series.name(), style.field.name, index);

@@ -31,7 +31,6 @@ void add_run(CLI::App& program) {
                   "--set grid.cell_size_m=0.005 --set material.rods.friction_angle_deg=25");
   command->callback([options] {
     const Scene scene = io::read_scene(options->scene, options->set);
-    make_directory(options->out);
     const std::string name = options->scene.stem().string();
     const RunOutcome outcome = run_scene(scene, options->out, name, options->threads);
     fmt::print("{} at {:.4g} s after {} steps, {:.1f} s of wall time; open {}\n",

@@ -15,7 +15,7 @@ fs::path data_directory() {
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   std::string looked;
   for (const char* place : {"../data", "../share/scarp"}) {
-    const fs::path candidate = (program.parent_path() / place).lexically_normal();
+    fs::path candidate = (program.parent_path() / place).lexically_normal();
     if (fs::is_directory(candidate / "scenes", ignored)) return candidate;
     looked += (looked.empty() ? "" : ", ") + candidate.string();
   }

@@ -1,5 +1,6 @@
 #include "apps/run_scene.hpp"
 
+#include "apps/commands.hpp"
 #include "apps/progress.hpp"
 #include "io/run_recorder.hpp"
 
@@ -40,6 +41,7 @@ RunOutcome run_scene(const Scene& scene, const std::filesystem::path& directory,
   if (threads > 0) omp_set_num_threads(threads);
   const int used = omp_get_max_threads();
   const std::unique_ptr<Simulation> simulation = make_simulation(scene);
+  make_directory(directory);
   print_plan(scene, *simulation, used);
 
   ProgressRecorder recorder(scene, *simulation, directory, name, used);

@@ -13,6 +13,11 @@ template <int Dim> constexpr std::size_t scene_axis(int axis) {
   return static_cast<std::size_t>(Dim == 2 && axis == 1 ? 2 : axis);
 }
 
+/// Its inverse.
+template <int Dim> constexpr std::size_t grid_axis(int scene_axis) {
+  return static_cast<std::size_t>(Dim == 2 && scene_axis == 2 ? 1 : scene_axis);
+}
+
 /// Regular cells; both cells and nodes are numbered with x fastest.
 template <int Dim> struct GridIndex {
   static constexpr int corners = 1 << Dim;

@@ -46,6 +46,7 @@ RunSummary run(Simulation& simulation, const Timing& timing, Observer& observer)
   };
 
   observer.frame(simulation);
+  double last_frame = simulation.time();
   record_history();
   long frame = 0;
   long row = 1;
@@ -60,7 +61,7 @@ RunSummary run(Simulation& simulation, const Timing& timing, Observer& observer)
       try {
         dt = simulation.step(due);
       } catch (const RunError&) {
-        observer.frame(simulation);
+        if (simulation.time() > last_frame) observer.frame(simulation);
         throw;
       }
       if (dt == stable) summary.shortest_step = std::min(summary.shortest_step, dt);
@@ -72,6 +73,7 @@ RunSummary run(Simulation& simulation, const Timing& timing, Observer& observer)
       }
     }
     observer.frame(simulation);
+    last_frame = simulation.time();
   }
   if (summary.shortest_step > summary.longest_step) summary.shortest_step = summary.longest_step;
   summary.reason = at_rest ? StopReason::at_rest : StopReason::end_time;

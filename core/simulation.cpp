@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <variant>
 
 namespace scarp {
@@ -149,6 +150,7 @@ template <int Dim> class SimulationOf final : public Simulation {
   NextStep next_step(double until) const {
     const double target = std::min(until, walls_.next_opening(time_));
     const double left = target - time_;
+    if (!(left > 0.0)) throw std::invalid_argument("step: until must lie ahead of the time");
     const double dt = stable_time_step();
     if (left > 2.0 * dt) return {dt, time_ + dt};
     if (left > dt) return {0.5 * left, time_ + 0.5 * left};

@@ -45,7 +45,8 @@ class Simulation {
   virtual ~Simulation() = default;
 
   /// One time step, which does not go beyond `until` (s).  Returns the step, s.
-  /// Throws RunError when a point leaves the grid, turns inside out or is no number any more.
+  /// Throws std::invalid_argument if `until` is not ahead, RunError when a point leaves the grid,
+  /// turns inside out or is no number any more.
   virtual double step(double until) = 0;
 
   virtual int dimension() const = 0;

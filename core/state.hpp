@@ -53,7 +53,8 @@ template <int Dim> Vec<Dim> corner_of(const GridIndex<Dim>& grid, int cell) {
   Vec<Dim> corner;
   for (int a = Dim - 1; a >= 0; --a) {
     const auto i = static_cast<std::size_t>(a);
-    corner[i] = static_cast<Real>(cell / grid.cell_stride[i]);
+    const int along = cell / grid.cell_stride[i];
+    corner[i] = along;
     cell %= grid.cell_stride[i];
   }
   return corner;

@@ -1,5 +1,7 @@
 #include "core/walls.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -10,6 +12,15 @@ Walls<Dim>::Walls(const Scene& scene, const GridIndex<Dim>& grid) : grid_(&grid)
   for (int a = 0; a < Dim; ++a)
     sides_[static_cast<std::size_t>(a)] = scene.grid.walls[scene_axis<Dim>(a)];
   gates_ = scene.gates;
+  for (const Gate& gate : gates_) {
+    if (gate.axis < 0 || gate.axis > 2 || (Dim == 2 && gate.axis == 1))
+      throw SetupError("gate '" + gate.name + "': its axis is none of the grid's");
+    const std::size_t axis = grid_axis<Dim>(gate.axis);
+    const Real plane = grid.scaled(gate.position, axis);
+    if (!(plane >= -1e-6 && plane <= grid.cells[axis] + 1e-6) ||
+        std::abs(plane - std::round(plane)) > 1e-6)
+      throw SetupError("gate '" + gate.name + "': must lie on a plane of the grid");
+  }
   rebuild(0.0);
 }
 
@@ -63,7 +74,7 @@ template <int Dim> void Walls<Dim>::rebuild(double time) {
   }
   for (const Gate& gate : gates_) {
     if (gate.release_time <= time) continue;
-    const auto axis = static_cast<std::size_t>(Dim == 2 && gate.axis == 2 ? 1 : gate.axis);
+    const std::size_t axis = grid_axis<Dim>(gate.axis);
     const int plane = static_cast<int>(std::lround(grid_->scaled(gate.position, axis)));
     for_each_node_on(axis, plane, [&](std::size_t n) { held_[n] |= bit(axis); });
   }

@@ -15,6 +15,7 @@ namespace scarp {
 /// friction sides act as an impulse once a step.
 template <int Dim> class Walls {
  public:
+  /// Throws SetupError for a gate that is not on a plane of the grid.
   Walls(const Scene& scene, const GridIndex<Dim>& grid);
 
   /// Opens the gates whose time has come.

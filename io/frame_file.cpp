@@ -171,8 +171,7 @@ std::string encode_frame(const Frame& frame) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   errors->observe(*writer);
   writer->SetInputData(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || !errors->text().empty())

@@ -8,7 +8,7 @@
 
 namespace scarp::io {
 
-/// The bytes of the .vtp file: zlib-compressed raw appended data, doubles, with TimeValue, Step,
+/// The bytes of the .vtp file: zlib-compressed inline binary data, doubles, with TimeValue, Step,
 /// Dimension, CellSize, Lower and Upper as field data.  Throws std::runtime_error if the columns do
 /// not fit the number of points.
 std::string encode_frame(const Frame& frame);

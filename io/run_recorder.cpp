@@ -32,9 +32,13 @@ Frame frame_of(const Simulation& simulation, const Scene& scene) {
 
 namespace {
 
-/// Energies and losses are per metre of depth in plane strain.
+/// Energies are per metre of depth in plane strain.
+std::string energy_unit(const Scene& scene) {
+  return scene.grid.dimension == 2 ? "_J_per_m" : "_J";
+}
+
 std::vector<std::string> history_columns(const Scene& scene) {
-  const std::string joule = scene.grid.dimension == 2 ? "_J_per_m" : "_J";
+  const std::string joule = energy_unit(scene);
   std::vector<std::string> names = {"time_s", "step"};
   for (const char* energy : {"kinetic", "grid_kinetic", "strain", "gravitational", "gravity_work",
                              "plastic_dissipation", "damping", "wall_friction", "scheme_loss"})
@@ -103,20 +107,20 @@ void RunRecorder::finish(const Simulation& simulation, const std::optional<RunSu
   if (summary) {
     record["shortest_step_s"] = summary->shortest_step;
     record["longest_step_s"] = summary->longest_step;
-    record["peak_kinetic_energy_J"] = summary->peak_kinetic;
+    record["peak_kinetic_energy" + energy_unit(scene_)] = summary->peak_kinetic;
   }
   record["wall_s"] = wall;
   record["threads"] = threads_;
   record["point_steps_per_s"] = wall > 0.0 ? work / wall : 0.0;
   record["peak_memory_MiB"] = static_cast<double>(peak_memory_kib()) / 1024.0;
   record["frames"] = series_.frames();
-  record["energies_J"] = {{"gravity_work", energies.gravity_work},
-                          {"kinetic", energies.kinetic},
-                          {"strain", energies.strain},
-                          {"plastic_dissipation", energies.plastic},
-                          {"damping", energies.damping},
-                          {"wall_friction", energies.wall_friction},
-                          {"scheme_loss", energies.scheme_loss}};
+  record["energies" + energy_unit(scene_)] = {{"gravity_work", energies.gravity_work},
+                                              {"kinetic", energies.kinetic},
+                                              {"strain", energies.strain},
+                                              {"plastic_dissipation", energies.plastic},
+                                              {"damping", energies.damping},
+                                              {"wall_friction", energies.wall_friction},
+                                              {"scheme_loss", energies.scheme_loss}};
   for (const PlanLine& line : simulation.plan()) record["plan"][line.what] = line.how;
   record["scene"] = scene_to_json(scene_);
   write_json(directory_ / "run.json", record);

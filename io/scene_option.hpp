@@ -54,6 +54,9 @@ template <typename T> Option<T> required(Option<T> option) {
   return option;
 }
 
+// The builders take their arguments by value and move or capture them.
+// NOLINTBEGIN(performance-unnecessary-value-param)
+
 // In what follows a `member` is a pointer to member or a function from T& to the member.
 
 template <typename T, typename Member>
@@ -87,6 +90,7 @@ template <typename T, typename Value, typename Member>
 Option<T> word(std::string key, Member member, std::vector<std::pair<std::string, Value>> words,
                std::string help) {
   std::vector<std::string> names;
+  names.reserve(words.size());
   for (const auto& entry : words) names.push_back(entry.first);
   return Declaration<T>{.key = std::move(key),
                         .unit = "",
@@ -144,5 +148,7 @@ template <typename T> Option<T> only_in_3d(Option<T> option) {
   option.exists = [](const T&, int dimension) { return dimension == 3; };
   return option;
 }
+
+// NOLINTEND(performance-unnecessary-value-param)
 
 } // namespace scarp::io

@@ -17,9 +17,10 @@ class SeriesWriter {
   /// first frame is written.  Throws std::runtime_error.
   SeriesWriter(std::filesystem::path directory, std::string name);
 
-  /// Writes one frame: compressed appended binary .vtp, all columns, TimeValue, Step, Dimension,
-  /// CellSize, Lower, Upper as field data.  Throws std::runtime_error (a full disk says so), with
-  /// the series as it was before the call.
+  /// Writes one frame: compressed inline binary .vtp, all columns, and TimeValue, Step, Dimension,
+  /// CellSize, Lower, Upper as field data.  Not appended data: Debian 12's ParaView 5.11 reads none
+  /// since a security update of expat.  Throws std::runtime_error (a full disk says so), with the
+  /// series as it was before the call.
   void write(const Frame& frame);
 
   std::size_t frames() const { return times_.size(); }

@@ -172,6 +172,7 @@ std::vector<Polyline> contour_lines(const NodeField& field, double level) {
   for (const auto& [edge, following] : links.next)
     if (!links.previous.contains(edge)) starts.push_back(edge);
   std::vector<Polyline> lines;
+  lines.reserve(starts.size());
   for (const EdgeId edge : starts) lines.push_back(take_line(field, level, edge, links));
   while (!links.next.empty())
     lines.push_back(take_line(field, level, links.next.begin()->first, links));

@@ -181,8 +181,7 @@ TYPED_TEST(Transfer, TermsApartAreTermsTogether) {
     const auto& a = together[static_cast<std::size_t>(at.index)];
     EXPECT_EQ(this->node(at.index).m, a.m);
     EXPECT_EQ(this->node(at.index).mv, a.mv);
-    for (std::size_t i = 0; i < Dim; ++i)
-      EXPECT_NEAR(this->node(at.index).f[i], a.f[i], 1e-12);
+    for (std::size_t i = 0; i < Dim; ++i) EXPECT_NEAR(this->node(at.index).f[i], a.f[i], 1e-12);
   }
 }
 
