@@ -15,6 +15,7 @@ template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
   constexpr bool force = terms != Terms::mass_momentum;
   state.nodal.tiles.resize(state.order.cells());
   const Particles<Dim>& points = state.particles;
+  [[maybe_unused]] const bool tracks_fraction = state.nodal.tracks_fraction;
 
   for_each_cell(state, [&](std::size_t slot) {
     CellTile<Dim> tile = state.nodal.tiles[slot];
@@ -41,7 +42,7 @@ template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
       }
       for (std::size_t c = 0; c < shape.nodes; ++c) {
         if constexpr (momentum) {
-          if (state.nodal.tracks_fraction) tile.V0[c] += V0 * shape.N[c];
+          if (tracks_fraction) tile.V0[c] += V0 * shape.N[c];
           tile.m[c] += m * shape.N[c];
           for (std::size_t i = 0; i < Dim; ++i) tile.mv[c][i] += mv[i] * shape.N[c];
         }

@@ -94,7 +94,7 @@ TEST(SceneFile, ReadsThePileOfBui2008) {
   EXPECT_EQ(scene.grid.walls[0][1].kind, WallKind::free);
   EXPECT_EQ(scene.grid.walls[2][0].kind, WallKind::fixed);
   EXPECT_EQ(scene.gravity, (std::array{0.0, 0.0, -9.81}));
-  EXPECT_EQ(scene.timing.end_time, 2.2);
+  EXPECT_EQ(scene.timing.end_time, 2.1);
   EXPECT_EQ(scene.timing.rest_energy_fraction, 1e-4);
   EXPECT_EQ(scene.timing.max_time_step, std::numeric_limits<double>::infinity());
   EXPECT_EQ(scene.method.scheme, Scheme::musl);
