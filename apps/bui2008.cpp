@@ -71,9 +71,10 @@ void draw_panels(const fs::path& file, const io::SeriesReader& series, double re
       if (std::abs(series.time(i) - release - time) < 1e-9) frames.push_back(series.read(i));
   frames.push_back(series.read(series.size() - 1));
   render::FrameStyle style;
-  // Up to 3 shows the bands of shear; the layer that slides on the base goes far beyond.
+  // Half a unit a band tells the bands of shear apart; the layer sliding on the base goes far
+  // beyond.
   style.range = render::ColourRange{
-      .lower = 0.0, .upper = 3.0, .bands = 12, .values_below = false, .values_above = true};
+      .lower = 0.0, .upper = 8.0, .bands = 16, .values_below = false, .values_above = true};
   style.view = render::common_view(frames);
   style.height = 0;
   render::write_png(file, render::render_panels(frames, style));
