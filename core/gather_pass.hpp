@@ -9,16 +9,23 @@
 
 namespace scarp {
 
+struct Gathered {
+  Real fastest = 0.0; ///< m/s, largest |v_p|
+  /// The first point, in the order of creation, whose new position lies outside the grid or is not
+  /// a number.
+  std::uint32_t outside = no_point;
+};
+
 /// dx_p = dt sum_I N_I v_I
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
-/// Returns the largest |v_p|, m/s.
-template <int Dim, bool remap> Real gather_pass(State<Dim>& state, Real flip, Real dt) {
+template <int Dim, bool remap> Gathered gather_pass(State<Dim>& state, Real flip, Real dt) {
   constexpr std::size_t corners = GridIndex<Dim>::corners;
   Particles<Dim>& points = state.particles;
   Real fastest2 = 0.0;
+  std::uint32_t outside = no_point;
   const auto n = static_cast<std::int64_t>(state.order.cells());
-#pragma omp parallel for schedule(static) reduction(max : fastest2)
+#pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(min : outside)
   for (std::int64_t s = 0; s < n; ++s) {
     const auto slot = static_cast<std::size_t>(s);
     const int cell = state.order.cell(slot);
@@ -54,6 +61,9 @@ template <int Dim, bool remap> Real gather_pass(State<Dim>& state, Real flip, Re
         v2 += v_p[i] * v_p[i];
       }
       fastest2 = std::max(fastest2, v2);
+      Vec<Dim> x_new;
+      for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
+      if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
       if constexpr (remap) {
         const Real m = points.m[p];
         for (std::size_t c = 0; c < corners; ++c)
@@ -62,7 +72,7 @@ template <int Dim, bool remap> Real gather_pass(State<Dim>& state, Real flip, Re
     }
     if constexpr (remap) state.nodal.tiles[slot].mv = mv_I;
   }
-  return std::sqrt(fastest2);
+  return {std::sqrt(fastest2), outside};
 }
 
 } // namespace scarp

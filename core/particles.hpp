@@ -4,11 +4,15 @@
 #include "core/types.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace scarp {
 
 using Column = std::vector<Real>;
+
+/// An id that no material point has.
+inline constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
 /// Row p of every column belongs to one material point.  Rows are kept sorted by cell; `id` is the
 /// point's place in the order of creation and never changes.

@@ -78,12 +78,11 @@ template <int Dim> class SimulationOf final : public Simulation {
     add_up_losses();
 
     if (scheme == Scheme::musl) {
-      fastest_ = gather_pass<Dim, true>(state_, scene_.method.flip, dt);
+      check_positions(gather_pass<Dim, true>(state_, scene_.method.flip, dt));
       remap_velocity_pass(state_, walls_);
     } else {
-      fastest_ = gather_pass<Dim, false>(state_, scene_.method.flip, dt);
+      check_positions(gather_pass<Dim, false>(state_, scene_.method.flip, dt));
     }
-    check_positions();
     if (scheme != Scheme::usf) update_stress_of_all(dt);
     check_volumes();
 
@@ -196,32 +195,28 @@ template <int Dim> class SimulationOf final : public Simulation {
     return std::sqrt(v2);
   }
 
-  void check_positions() const {
-    check(
-        [this](std::size_t p) {
-          Vec<Dim> x = state_.particles.position(p);
-          for (std::size_t i = 0; i < Dim; ++i) x[i] += state_.particles.dx[i][p];
-          return state_.grid.contains(x);
-        },
-        "leaves the grid or is no number any more", "enlarge the grid, or lower time.cfl");
+  void check_positions(const Gathered& gathered) {
+    if (gathered.outside != no_point)
+      fail(gathered.outside, "leaves the grid or is no number any more",
+           "enlarge the grid, or lower time.cfl");
+    fastest_ = gathered.fastest;
   }
 
   void check_volumes() const {
-    check([this](std::size_t p) { return state_.particles.J[p] > 0.0; }, "has a negative volume",
-          "lower time.cfl, or look for a point thrown against a wall");
-  }
-
-  /// Throws for the first point, in order of creation, that is not good.
-  template <class Good>
-  void check(Good&& good, const std::string& complaint, const std::string& advice) const {
     const auto n = static_cast<std::int64_t>(points());
     std::uint32_t bad = no_point;
 #pragma omp parallel for schedule(static) reduction(min : bad)
     for (std::int64_t k = 0; k < n; ++k) {
       const auto p = static_cast<std::size_t>(k);
-      if (!good(p)) bad = std::min(bad, state_.particles.id[p]);
+      if (!(state_.particles.J[p] > 0.0)) bad = std::min(bad, state_.particles.id[p]);
     }
-    if (bad == no_point) return;
+    if (bad != no_point)
+      fail(bad, "has a negative volume",
+           "lower time.cfl, or look for a point thrown against a wall");
+  }
+
+  [[noreturn]] void fail(std::uint32_t bad, const std::string& complaint,
+                         const std::string& advice) const {
     const auto& id = state_.particles.id;
     const auto p = static_cast<std::size_t>(std::find(id.begin(), id.end(), bad) - id.begin());
     std::array<double, 3> x = {0.0, 0.0, 0.0};
@@ -235,8 +230,6 @@ template <int Dim> class SimulationOf final : public Simulation {
          << "; try: " << advice;
     throw RunError(text.str(), steps_ + 1, time_, bad, x);
   }
-
-  static constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
   Scene scene_;
   State<Dim> state_;

@@ -308,7 +308,7 @@ TYPED_TEST(Transfer, UniformVelocityStays) {
     for (std::size_t i = 0; i < Dim; ++i)
       std::fill(points.v[i].begin(), points.v[i].end(), 1.0 + static_cast<double>(i));
     this->scatter_all();
-    const Real fastest = gather_pass<Dim, false>(this->state, flip, this->dt);
+    const Real fastest = gather_pass<Dim, false>(this->state, flip, this->dt).fastest;
     for (std::size_t i = 0; i < Dim; ++i)
       for (std::size_t p = 0; p < points.size(); ++p) {
         EXPECT_NEAR(points.v[i][p], 1.0 + static_cast<double>(i), 1e-14);
