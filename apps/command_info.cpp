@@ -3,6 +3,7 @@
 
 #include "core/simulation.hpp"
 #include "io/scene_file.hpp"
+#include "io/snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -14,13 +15,13 @@ namespace scarp::apps {
 namespace {
 
 /// s a step, of a few steps of the scene itself.
-double seconds_per_step(Simulation& simulation, double end_time) {
+double seconds_per_step(Simulation& simulation) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   long steps = 0;
   double wall = 0.0;
-  while (steps < 200 && wall < 1.0 && simulation.time() < end_time) {
-    simulation.step(end_time);
+  while (steps < 200 && wall < 1.0 && simulation.time() < simulation.stage_end()) {
+    simulation.step(simulation.stage_end());
     ++steps;
     wall = std::chrono::duration<double>(Clock::now() - start).count();
   }
@@ -48,16 +49,16 @@ void add_info(CLI::App& program) {
       fmt::print("{}", io::scene_to_toml(scene));
       return;
     }
-    const std::unique_ptr<Simulation> simulation = make_simulation(scene);
+    const std::unique_ptr<Simulation> simulation = io::make_simulation_from_files(scene);
     const double dt = simulation->stable_time_step();
     fmt::print("{}\n", scene.title);
     fmt::print("  points          {}\n", simulation->points());
     fmt::print("  cells           {} of {}\n", simulation->occupied_cells(), simulation->cells());
     fmt::print("  first step      {:.3g} s\n", dt);
-    const double steps = scene.timing.end_time / dt;
-    const double each = seconds_per_step(*simulation, scene.timing.end_time);
+    const double steps = end_time(scene) / dt;
+    const double each = seconds_per_step(*simulation);
     fmt::print("  steps           about {:.0f} to the end time, {:.4g} s\n", steps,
-               scene.timing.end_time);
+               end_time(scene));
     fmt::print("  run time        about {:.0f} s on this machine\n", steps * each);
     for (const PlanLine& line : simulation->plan())
       fmt::print("  {:<15} {}\n", line.what, line.how);

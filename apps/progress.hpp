@@ -10,7 +10,7 @@ namespace scarp::apps {
 /// Writes to stderr, and only if that is a terminal.
 class ProgressLine {
  public:
-  explicit ProgressLine(double end_time);
+  ProgressLine(double start_time, double end_time);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
@@ -22,7 +22,9 @@ class ProgressLine {
 
   bool visible_;
   bool written_ = false;
-  double end_time_;
+  double start_time_; ///< s
+  double end_time_;   ///< s
+  long steps_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
 };

@@ -3,6 +3,7 @@
 #include "apps/commands.hpp"
 #include "apps/progress.hpp"
 #include "io/run_recorder.hpp"
+#include "io/snapshot.hpp"
 
 #include <omp.h>
 
@@ -16,7 +17,8 @@ class ProgressRecorder final : public io::RunRecorder {
  public:
   ProgressRecorder(const Scene& scene, const Simulation& simulation,
                    const std::filesystem::path& directory, const std::string& name, int threads)
-      : RunRecorder(scene, simulation, directory, name, threads), line_(scene.timing.end_time) {}
+      : RunRecorder(scene, simulation, directory, name, threads),
+        line_(simulation.time(), end_time(scene)) {}
 
   void progress(const Simulation& simulation) override { line_.update(simulation); }
 
@@ -40,7 +42,7 @@ RunOutcome run_scene(const Scene& scene, const std::filesystem::path& directory,
                      const std::string& name, int threads) {
   if (threads > 0) omp_set_num_threads(threads);
   const int used = omp_get_max_threads();
-  const std::unique_ptr<Simulation> simulation = make_simulation(scene);
+  const std::unique_ptr<Simulation> simulation = io::make_simulation_from_files(scene);
   make_directory(directory);
   print_plan(scene, *simulation, used);
 

@@ -83,16 +83,14 @@ void add_point(Particles<Dim>& points, const Scene& scene, std::size_t region, s
   points.region.push_back(static_cast<std::uint8_t>(region));
 }
 
-std::size_t material_of(const Scene& scene, const Region& region) {
-  const auto found =
-      std::find_if(scene.materials.begin(), scene.materials.end(),
-                   [&](const Material& material) { return material.name == region.material; });
+} // namespace
+
+std::size_t material_index(const Scene& scene, const Region& region, const std::string& material) {
+  const auto found = std::ranges::find(scene.materials, material, &Material::name);
   if (found == scene.materials.end())
-    throw SetupError("region '" + region.name + "': no material '" + region.material + "'");
+    throw SetupError("region '" + region.name + "': no material '" + material + "'");
   return static_cast<std::size_t>(found - scene.materials.begin());
 }
-
-} // namespace
 
 template <int Dim> Particles<Dim> fill_regions(const Scene& scene) {
   const Grid& grid = scene.grid;
@@ -113,7 +111,7 @@ template <int Dim> Particles<Dim> fill_regions(const Scene& scene) {
 
   for (std::size_t r = 0; r < scene.regions.size(); ++r) {
     const Region& region = scene.regions[r];
-    const std::size_t material = material_of(scene, region);
+    const std::size_t material = material_index(scene, region, region.material);
     const std::size_t before = points.size();
     std::array<double, 3> lower = {1e300, region.depth[0], 1e300};
     std::array<double, 3> upper = {-1e300, region.depth[1], -1e300};

@@ -30,4 +30,7 @@ std::vector<Point2> clip(const std::vector<Point2>& polygon, Point2 lower, Point
 /// Throws SetupError where regions overlap, and where one is empty or reaches outside the grid.
 template <int Dim> Particles<Dim> fill_regions(const Scene& scene);
 
+/// Place in Scene::materials of a region's material.  Throws SetupError if it is not there.
+std::size_t material_index(const Scene& scene, const Region& region, const std::string& material);
+
 } // namespace scarp

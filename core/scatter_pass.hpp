@@ -10,7 +10,10 @@ enum class Terms { mass_momentum, force, all };
 /// m_I = sum_p m_p N_I,  (m v)_I = sum_p m_p v_p N_I,
 /// f_I = - sum_p V0_p tau_p . grad N_I                                     (Wu 2017, section 1)
 /// with the Kirchhoff stress tau = J sigma, so V0 tau = V sigma: see core/stress_pass.hpp.
-template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
+/// Where regions differ in their body force, f_I also takes sum_p m_p b_p N_I with `own_force`, the
+/// region's body force beyond the common one, m/s2; empty: they do not.
+template <int Dim, Terms terms>
+void scatter_pass(State<Dim>& state, const std::vector<Vec<Dim>>& own_force = {}) {
   constexpr bool momentum = terms != Terms::force;
   constexpr bool force = terms != Terms::mass_momentum;
   state.nodal.tiles.resize(state.order.cells());
@@ -40,6 +43,11 @@ template <int Dim, Terms terms> void scatter_pass(State<Dim>& state) {
           V_sigma[i][j] =
               V0 * points.tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][p];
       }
+      if constexpr (force)
+        if (!own_force.empty())
+          for (std::size_t c = 0; c < shape.nodes; ++c)
+            for (std::size_t i = 0; i < Dim; ++i)
+              tile.f[c][i] += m * own_force[points.region[p]][i] * shape.N[c];
       for (std::size_t c = 0; c < shape.nodes; ++c) {
         if constexpr (momentum) {
           if (tracks_fraction) tile.V0[c] += V0 * shape.N[c];

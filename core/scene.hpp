@@ -7,6 +7,8 @@
 
 #include <array>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -100,17 +102,42 @@ struct Method {
 };
 
 struct Timing {
-  double end_time = 0.0;        ///< s
+  double end_time = 0.0;        ///< s; unused where there are stages
   double output_interval = 0.0; ///< s between frames
   /// s between rows of the history, which take the first step at or after it; 0: a tenth of
   /// output_interval.
   double history_interval = 0.0;
   double cfl = 0.3;                                               ///< part of the critical step
   double max_time_step = std::numeric_limits<double>::infinity(); ///< s
-  /// The run ends once, after the last gate has opened, the kinetic energy of the nodes
-  /// (Energies::grid_kinetic) has stayed below this part of its peak for rest_duration; 0 = never.
+  /// The run, or a stage until rest, ends once, after the last gate has opened, the kinetic energy
+  /// of the nodes (Energies::grid_kinetic) has stayed below this part of its peak for
+  /// rest_duration; 0 = never.
   double rest_energy_fraction = 0.0;
   double rest_duration = 0.0; ///< s
+};
+
+/// A factor that changes with time: linear between its points, constant before and after them.
+struct Ramp {
+  std::vector<std::array<double, 2>> points = {{0.0, 1.0}}; ///< s, -; times ascending
+
+  double at(double time) const;
+  bool constant() const { return points.size() == 1; }
+};
+
+/// A part of the run with its own loads and materials.  Stress and state go over from one stage to
+/// the next.
+struct Stage {
+  std::string name;
+  double duration = 0.0;       ///< s
+  std::optional<double> start; ///< s; if given, it has to be the end of the stage before
+  /// Ends before its duration is over, once the mass is at rest (Timing::rest_energy_fraction).
+  bool until_rest = false;
+  Ramp gravity;                           ///< multiple of Scene::gravity; s since the stage began
+  std::map<std::string, Ramp> body_force; ///< by region: a further multiple of its own gravity
+  std::map<std::string, std::string> material; ///< by region, during this stage; else its own
+  /// Where the state to begin from is kept; the stages before this one are then left out.  Empty:
+  /// the state of the stage before.
+  std::string begin_from;
 };
 
 /// A point to be followed in history.csv: the material point nearest to this place at time 0.
@@ -121,6 +148,8 @@ struct Monitor {
 
 struct Output {
   std::vector<std::string> fields; ///< names of core/fields.hpp; empty: all
+  /// Regions whose largest x is the front; empty: all.
+  std::vector<std::string> front_regions;
 };
 
 struct Scene {
@@ -132,8 +161,12 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Region> regions;
   std::vector<Gate> gates;
+  std::vector<Stage> stages; ///< empty: one, to Timing::end_time
   std::vector<Monitor> monitors;
   Output output;
 };
+
+/// s, when the run ends at the latest if it began at time 0: that of the timing, or of all stages.
+double end_time(const Scene& scene);
 
 } // namespace scarp

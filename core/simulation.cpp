@@ -3,6 +3,7 @@
 #include "core/fields.hpp"
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
+#include "core/loads.hpp"
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
 #include "core/stress_pass.hpp"
@@ -45,17 +46,42 @@ bool remembers_gaps(const Scene& scene) {
   });
 }
 
+std::vector<Stage> stages_of(const Scene& scene) {
+  if (!scene.stages.empty()) return scene.stages;
+  Stage only;
+  only.duration = scene.timing.end_time;
+  only.until_rest = scene.timing.rest_energy_fraction > 0.0;
+  return {only};
+}
+
+/// Where the core's stress components stand among xx yy zz xy yz xz of the scene's axes.
+template <int Dim>
+constexpr std::array<std::size_t, tensor_size<Dim>> stress_place = [] {
+  if constexpr (Dim == 2)
+    return std::array<std::size_t, 4>{0, 2, 1, 5};
+  else
+    return std::array<std::size_t, 6>{0, 1, 2, 3, 4, 5};
+}();
+
 template <int Dim> class SimulationOf final : public Simulation {
  public:
-  explicit SimulationOf(const Scene& scene)
-      : scene_(scene), state_(scene.grid, fill_regions<Dim>(scene), remembers_gaps(scene)),
-        walls_(scene, state_.grid) {
+  SimulationOf(const Scene& scene, const Snapshot* start)
+      : scene_(scene), stages_(stages_of(scene)),
+        state_(scene.grid, fill_regions<Dim>(scene), remembers_gaps(scene)),
+        walls_(scene, state_.grid), loads_(scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
-    for (int a = 0; a < Dim; ++a)
-      gravity_[static_cast<std::size_t>(a)] = scene.gravity[scene_axis<Dim>(a)];
     start_positions_ = positions();
+    const auto continued =
+        std::ranges::find_if(stages_, [](const Stage& stage) { return !stage.begin_from.empty(); });
+    if ((continued != stages_.end()) != (start != nullptr))
+      throw SetupError(start ? "no stage begins from another run's state"
+                             : "stage '" + continued->name + "' begins from '" +
+                                   continued->begin_from + "', and there is no such state");
+    if (start) take_over(*start);
+    begin_stage(start ? static_cast<std::size_t>(continued - stages_.begin()) : 0);
     state_.order.update(state_.particles);
     for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
+    loads_.settle(state_.particles);
     start_ = energies();
   }
 
@@ -63,18 +89,19 @@ template <int Dim> class SimulationOf final : public Simulation {
     const auto [dt, end] = next_step(until);
     const Scheme scheme = scene_.method.scheme;
     walls_.open_gates(time_);
+    if (loads_.vary()) loads_.update(time_);
     state_.order.update(state_.particles);
 
     if (scheme == Scheme::usf) {
       scatter_pass<Dim, Terms::mass_momentum>(state_);
       gather_momentum_pass(state_, walls_);
       update_stress_of_all(dt);
-      scatter_pass<Dim, Terms::force>(state_);
+      scatter_pass<Dim, Terms::force>(state_, loads_.own());
     } else {
-      scatter_pass<Dim, Terms::all>(state_);
+      scatter_pass<Dim, Terms::all>(state_, loads_.own());
       gather_momentum_pass(state_, walls_);
     }
-    advance_momentum_pass(state_, walls_, gravity_, damping(), dt);
+    advance_momentum_pass(state_, walls_, loads_.common(), damping(), dt);
     add_up_losses();
 
     if (scheme == Scheme::musl) {
@@ -87,6 +114,7 @@ template <int Dim> class SimulationOf final : public Simulation {
     check_volumes();
 
     move_points();
+    if (loads_.vary()) loads_.settle(state_.particles);
     time_ = end;
     ++steps_;
     return dt;
@@ -101,10 +129,20 @@ template <int Dim> class SimulationOf final : public Simulation {
 
   bool waits_for_gate() const override { return std::isfinite(walls_.next_opening(time_)); }
 
+  const Stage& stage() const override { return stages_[stage_]; }
+  double stage_end() const override { return stage_start_ + stages_[stage_].duration; }
+  bool in_last_stage() const override { return stage_ + 1 == stages_.size(); }
+
+  void next_stage() override {
+    if (in_last_stage()) throw std::logic_error("next_stage: there is none");
+    loads_.settle(state_.particles);
+    begin_stage(stage_ + 1);
+  }
+
   double stable_time_step() const override {
     Real wave_speed = 0.0;
-    for (const MaterialModel& material : materials_)
-      wave_speed = std::max(wave_speed, material.wave_speed);
+    for (const std::uint8_t material : material_of_region_)
+      wave_speed = std::max(wave_speed, materials_[material].wave_speed);
     return std::min(scene_.timing.max_time_step,
                     scene_.timing.cfl * state_.grid.h / (wave_speed + fastest_));
   }
@@ -112,7 +150,14 @@ template <int Dim> class SimulationOf final : public Simulation {
   Energies energies() const override;
 
   double front() const override {
-    return *std::max_element(state_.particles.x[0].begin(), state_.particles.x[0].end());
+    const std::vector<std::string>& names = scene_.output.front_regions;
+    std::vector<std::uint8_t> counts;
+    for (const Region& region : scene_.regions)
+      counts.push_back(names.empty() || std::ranges::find(names, region.name) != names.end());
+    Real front = -std::numeric_limits<Real>::infinity();
+    for (std::size_t p = 0; p < points(); ++p)
+      if (counts[state_.particles.region[p]]) front = std::max(front, state_.particles.x[0][p]);
+    return front;
   }
 
   std::vector<PlanLine> plan() const override;
@@ -125,14 +170,13 @@ template <int Dim> class SimulationOf final : public Simulation {
     for (std::size_t p = 0; p < points(); ++p) {
       Real distance2 = 0.0;
       for (int a = 0; a < Dim; ++a) {
-        const Real d =
-            state_.particles.x[static_cast<std::size_t>(a)][p] - place[scene_axis<Dim>(a)];
+        const std::size_t i = scene_axis<Dim>(a);
+        const Real d = start_positions_[3 * p + i] - place[i];
         distance2 += d * d;
       }
-      const std::size_t id = state_.particles.id[p];
-      if (distance2 < least || (distance2 == least && id < nearest)) {
+      if (distance2 < least) {
         least = distance2;
-        nearest = id;
+        nearest = p;
       }
     }
     return nearest;
@@ -144,10 +188,30 @@ template <int Dim> class SimulationOf final : public Simulation {
     double time; ///< s, at its end
   };
 
+  void begin_stage(std::size_t stage) {
+    stage_ = stage;
+    stage_start_ = time_;
+    loads_.begin_stage(stages_[stage], time_);
+    material_of_region_.clear();
+    for (const Region& region : scene_.regions) {
+      const auto changed = stages_[stage].material.find(region.name);
+      const bool own = changed == stages_[stage].material.end();
+      material_of_region_.push_back(static_cast<std::uint8_t>(
+          material_index(scene_, region, own ? region.material : changed->second)));
+    }
+    Particles<Dim>& points = state_.particles;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      points.material[p] = material_of_region_[points.region[p]];
+  }
+
+  void take_over(const Snapshot& start);
+  std::string stages_line() const;
+
   /// dt = min(CFL, the user's maximum), afresh each step.  `until` and the opening of gates are met
   /// to the bit; the last two steps before them share what is left.
   NextStep next_step(double until) const {
-    const double target = std::min(until, walls_.next_opening(time_));
+    const double own_end = in_last_stage() ? until : std::min(until, stage_end());
+    const double target = std::min(own_end, walls_.next_opening(time_));
     const double left = target - time_;
     if (!(left > 0.0)) throw std::invalid_argument("step: until must lie ahead of the time");
     const double dt = stable_time_step();
@@ -232,10 +296,14 @@ template <int Dim> class SimulationOf final : public Simulation {
   }
 
   Scene scene_;
+  std::vector<Stage> stages_;
   State<Dim> state_;
   Walls<Dim> walls_;
+  Loads<Dim> loads_;
   std::vector<MaterialModel> materials_;
-  Vec<Dim> gravity_;
+  std::vector<std::uint8_t> material_of_region_; ///< in the present stage
+  std::size_t stage_ = 0;
+  double stage_start_ = 0.0; ///< s
   std::vector<double> start_positions_;
   Energies start_;
   Real fastest_ = 0.0;         ///< m/s, largest speed of a point
@@ -245,18 +313,45 @@ template <int Dim> class SimulationOf final : public Simulation {
   long steps_ = 0;
 };
 
+template <int Dim> void SimulationOf<Dim>::take_over(const Snapshot& start) {
+  Particles<Dim>& points = state_.particles;
+  const std::size_t n = points.size();
+  if (start.position.size() != 3 * n)
+    throw SetupError("the state to begin from has " + std::to_string(start.position.size() / 3) +
+                     " points, the scene has " + std::to_string(n));
+  const double tolerance = 1e-6 * state_.grid.h;
+  for (std::size_t p = 0; p < n; ++p) {
+    bool same = std::abs(start.initial_volume[p] - points.V0[p]) <= 1e-6 * points.V0[p];
+    for (std::size_t i = 0; i < 3; ++i)
+      same = same && std::abs(start.position[3 * p + i] - start.displacement[3 * p + i] -
+                              start_positions_[3 * p + i]) <= tolerance;
+    if (!same)
+      throw SetupError("point " + std::to_string(p) +
+                       " of the state to begin from is another than the scene's");
+  }
+  time_ = start.time;
+  steps_ = start.steps;
+  for (std::size_t p = 0; p < n; ++p) {
+    for (int a = 0; a < Dim; ++a) {
+      const auto i = static_cast<std::size_t>(a);
+      points.x[i][p] = start.position[3 * p + scene_axis<Dim>(a)];
+      points.v[i][p] = start.velocity[3 * p + scene_axis<Dim>(a)];
+    }
+    points.J[p] = start.volume[p] / points.V0[p];
+    for (std::size_t i = 0; i < points.tau.size(); ++i)
+      points.tau[i][p] = points.J[p] * start.stress[6 * p + stress_place<Dim>[i]];
+    points.plastic_strain[p] = start.plastic_strain[p];
+    points.gap[p] = start.gap[p];
+  }
+}
+
 template <int Dim> Energies SimulationOf<Dim>::energies() const {
   const Particles<Dim>& points = state_.particles;
   Energies now;
   for (std::size_t p = 0; p < points.size(); ++p) {
     Real v2 = 0.0;
-    Real g_x = 0.0;
-    for (std::size_t i = 0; i < Dim; ++i) {
-      v2 += points.v[i][p] * points.v[i][p];
-      g_x += gravity_[i] * points.x[i][p];
-    }
+    for (std::size_t i = 0; i < Dim; ++i) v2 += points.v[i][p] * points.v[i][p];
     now.kinetic += 0.5 * points.m[p] * v2;
-    now.gravitational -= points.m[p] * g_x;
     now.plastic += points.V0[p] * points.dissipation[p];
 
     // psi = sigma_m^2 / 2K + sigma_m gap + s:s / 4G; where there is a gap, sigma_m = sigma_t
@@ -277,7 +372,8 @@ template <int Dim> Energies SimulationOf<Dim>::energies() const {
   }
   now.damping = damping_work_;
   now.wall_friction = friction_work_;
-  now.gravity_work = start_.gravitational - now.gravitational;
+  now.gravitational = loads_.potential(points);
+  now.gravity_work = loads_.work(points);
   now.scheme_loss = now.gravity_work - (now.kinetic - start_.kinetic) -
                     (now.strain - start_.strain) - now.plastic - now.damping - now.wall_friction;
   return now;
@@ -311,16 +407,9 @@ template <int Dim> std::vector<double> SimulationOf<Dim>::field(const std::strin
       for (int a = 0; a < Dim; ++a)
         values[3 * points.id[p] + scene_axis<Dim>(a)] = points.v[static_cast<std::size_t>(a)][p];
   } else if (name == "stress") {
-    // xx yy zz xy yz xz of the scene's axes from the core's components
-    constexpr std::array<std::size_t, tensor_size<Dim>> place = [] {
-      if constexpr (Dim == 2)
-        return std::array<std::size_t, 4>{0, 2, 1, 5};
-      else
-        return std::array<std::size_t, 6>{0, 1, 2, 3, 4, 5};
-    }();
     for (std::size_t p = 0; p < points.size(); ++p)
-      for (std::size_t i = 0; i < place.size(); ++i)
-        values[6 * points.id[p] + place[i]] = points.tau[i][p] / points.J[p];
+      for (std::size_t i = 0; i < stress_place<Dim>.size(); ++i)
+        values[6 * points.id[p] + stress_place<Dim>[i]] = points.tau[i][p] / points.J[p];
   } else if (name == "mean_stress") {
     scalar(mean_stress);
   } else if (name == "deviatoric_stress") {
@@ -346,6 +435,18 @@ template <int Dim> std::vector<double> SimulationOf<Dim>::field(const std::strin
     scalar([&](std::size_t p) { return static_cast<double>(points.region[p]); });
   }
   return values;
+}
+
+template <int Dim> std::string SimulationOf<Dim>::stages_line() const {
+  if (scene_.stages.empty()) return "one";
+  std::ostringstream text;
+  for (std::size_t k = stage_; k < stages_.size(); ++k) {
+    const Stage& stage = stages_[k];
+    text << (k == stage_ ? "" : ", ") << stage.name << " (" << stage.duration << " s"
+         << (stage.until_rest ? " or until rest" : "") << ")";
+    if (!stage.begin_from.empty()) text << " from " << stage.begin_from;
+  }
+  return text.str();
 }
 
 template <int Dim> std::vector<PlanLine> SimulationOf<Dim>::plan() const {
@@ -377,18 +478,19 @@ template <int Dim> std::vector<PlanLine> SimulationOf<Dim>::plan() const {
                    : scene_.method.settling_damping > 0.0 ? "damped until the last gate opens"
                                                           : "not damped"},
       {"friction walls", walls_.have_friction() ? "on" : "none, skipped"},
+      {"stages", stages_line()},
       {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},
   };
 }
 
 } // namespace
 
-std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Snapshot* start) {
   switch (scene.grid.dimension) {
   case 2:
-    return std::make_unique<SimulationOf<2>>(scene);
+    return std::make_unique<SimulationOf<2>>(scene, start);
   case 3:
-    return std::make_unique<SimulationOf<3>>(scene);
+    return std::make_unique<SimulationOf<3>>(scene, start);
   default:
     throw SetupError("grid.dimension must be 2 or 3");
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scarp::io {
 namespace {
@@ -65,6 +66,21 @@ std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Polygon&
     }
   }
   return std::nullopt;
+}
+
+double distance(const Polygon& polygon, const std::array<double, 2>& point) {
+  bool inside = false;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto& a = polygon[i];
+    const auto& b = polygon[(i + 1) % polygon.size()];
+    const double ex = b[0] - a[0], ez = b[1] - a[1];
+    const double px = point[0] - a[0], pz = point[1] - a[1];
+    const double t = std::clamp((ex * px + ez * pz) / (ex * ex + ez * ez), 0.0, 1.0);
+    least = std::min(least, std::hypot(px - t * ex, pz - t * ez));
+    if ((a[1] > point[1]) != (b[1] > point[1]) && px < ex * pz / ez) inside = !inside;
+  }
+  return inside ? 0.0 : least;
 }
 
 } // namespace scarp::io

@@ -21,4 +21,7 @@ bool is_flat(const Polygon& polygon);
 /// each other; edge i runs from corner i to the next.  A simple polygon has none.
 std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Polygon& polygon);
 
+/// From a point to the polygon; 0 inside.
+double distance(const Polygon& polygon, const std::array<double, 2>& point);
+
 } // namespace scarp::io

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace scarp::io {
@@ -68,22 +69,100 @@ void check_grid(const Grid& grid, SceneReport& report) {
                                  number_text(grid.cell_size), extent(grid, axis)));
 }
 
-void check_time(const Timing& timing, SceneReport& report) {
-  if (report.usable({"time.end_s", "time.output_interval_s"})) {
-    if (timing.output_interval > timing.end_time)
-      report.problem("time.output_interval_s", fmt::format("is {}; must be at most time.end_s, {}",
-                                                           number_text(timing.output_interval),
-                                                           number_text(timing.end_time)));
-    if (timing.end_time / timing.output_interval > most_frames)
+void check_time(const Scene& scene, SceneReport& report) {
+  const Timing& timing = scene.timing;
+  const double end = end_time(scene);
+  if (!report.usable({"time", "stage"})) return;
+  if (scene.stages.empty() && !report.placed("time.end_s")) {
+    report.problem("time.end_s", "is missing; must be a number > 0, in s, where there is no "
+                                 "[[stage]]");
+  } else if (!scene.stages.empty() && report.placed("time.end_s")) {
+    report.problem("time.end_s", "is given besides [[stage]]; must be left out, as the stages' "
+                                 "durations say it");
+  } else if (report.usable({"time.end_s", "time.output_interval_s"})) {
+    if (timing.output_interval > end)
+      report.problem("time.output_interval_s",
+                     fmt::format("is {}; must be at most {}, {}",
+                                 number_text(timing.output_interval),
+                                 scene.stages.empty() ? "time.end_s" : "the stages' durations",
+                                 number_text(end)));
+    if (end / timing.output_interval > most_frames)
       report.problem("time.output_interval_s",
                      fmt::format("makes {:.3g} frames; must make at most {:.0e}",
-                                 timing.end_time / timing.output_interval, most_frames));
+                                 end / timing.output_interval, most_frames));
   }
   if (report.usable({"time.rest_energy_fraction", "time.rest_duration_s"}) &&
       timing.rest_energy_fraction > 0.0 && timing.rest_duration == 0.0)
     report.problem("time.rest_duration_s",
                    "is 0; must be > 0 where time.rest_energy_fraction is, as every scene starts at "
                    "rest");
+}
+
+template <typename Item> bool has_name(const std::vector<Item>& items, const std::string& name) {
+  return std::ranges::find(items, name, &Item::name) != items.end();
+}
+
+template <typename Item>
+std::string unknown_name(const std::string& name, const std::vector<Item>& items,
+                         const std::string& what) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  const std::string hint = did_you_mean(name, names);
+  return fmt::format("names '{}'; must be the name of a [[{}]]: {}{}", name, what,
+                     quoted_list(names, "or"), hint.empty() ? "" : " (" + hint + ")");
+}
+
+void check_stage_materials(const Scene& scene, const Stage& stage, const std::string& key,
+                           SceneReport& report) {
+  if (!report.usable({key + ".material", "region", "material"})) return;
+  for (const auto& [name, material] : stage.material) {
+    if (!has_name(scene.regions, name)) {
+      report.problem(key + ".material", unknown_name(name, scene.regions, "region"));
+    } else if (!has_name(scene.materials, material)) {
+      report.problem(key + ".material", unknown_name(material, scene.materials, "material"));
+    } else {
+      const std::string& own = std::ranges::find(scene.regions, name, &Region::name)->material;
+      const auto before = std::ranges::find(scene.materials, own, &Material::name);
+      const auto after = std::ranges::find(scene.materials, material, &Material::name);
+      if (before != scene.materials.end() && before->density != after->density)
+        report.problem(key + ".material",
+                       fmt::format("gives region '{}' the density {} of '{}' instead of {}; must "
+                                   "keep it, as mass is conserved",
+                                   name, number_text(after->density), material,
+                                   number_text(before->density)));
+    }
+  }
+}
+
+void check_stages(const Scene& scene, SceneReport& report) {
+  double end = 0.0;
+  bool fixed = true; // whether the end of the stage before is known
+  std::string continued;
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    const Stage& stage = scene.stages[i];
+    const std::string key = item_key("stage", scene.stages, i);
+    if (stage.start && fixed && stage.begin_from.empty() &&
+        report.usable({key + ".start_s", "stage"}) && std::abs(*stage.start - end) > 1e-9 * end)
+      report.problem(key + ".start_s",
+                     fmt::format("is {}, {} the stage before, which ends at {} s; must be {}",
+                                 number_text(*stage.start),
+                                 *stage.start < end ? "and overlaps" : "and leaves a gap after",
+                                 number_text(end), number_text(end)));
+    end += stage.duration;
+    fixed = fixed && !stage.until_rest && report.usable({key + ".duration_s"});
+    if (stage.until_rest && scene.timing.rest_energy_fraction == 0.0)
+      report.problem(key + ".until_rest", "is true; must be false unless "
+                                          "time.rest_energy_fraction says what rest is");
+    if (report.usable({key + ".body_force", "region"}))
+      for (const auto& entry : stage.body_force)
+        if (!has_name(scene.regions, entry.first))
+          report.problem(key + ".body_force", unknown_name(entry.first, scene.regions, "region"));
+    check_stage_materials(scene, stage, key, report);
+    if (!stage.begin_from.empty() && !continued.empty())
+      report.problem(key + ".begin_from",
+                     fmt::format("is given as {}.begin_from is; must be given once", continued));
+    if (!stage.begin_from.empty()) continued = key;
+  }
 }
 
 template <typename Item>
@@ -202,6 +281,23 @@ void check_gates(const Scene& scene, SceneReport& report) {
   }
 }
 
+bool shapes_usable(const Scene& scene, const SceneReport& report) {
+  if (!report.usable({"region"})) return false;
+  for (std::size_t i = 0; i < scene.regions.size(); ++i) {
+    const std::string key = item_key("region", scene.regions, i);
+    if (!report.usable({key + ".polygon_m", key + ".box_m"})) return false;
+  }
+  return true;
+}
+
+/// In the x-z plane; extruded regions are not looked at along y.
+double distance_to_body(const Scene& scene, const std::array<double, 3>& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Region& region : scene.regions)
+    least = std::min(least, distance(region.polygon, {place[0], place[2]}));
+  return least;
+}
+
 void check_monitors(const Scene& scene, SceneReport& report) {
   for (std::size_t i = 0; i < scene.monitors.size(); ++i) {
     const std::string key = item_key("monitor", scene.monitors, i) + ".position_m";
@@ -213,6 +309,12 @@ void check_monitors(const Scene& scene, SceneReport& report) {
                                         axis_names[axis], number_text(position),
                                         extent(scene.grid, axis)));
     }
+    if (!report.usable({key}) || !shapes_usable(scene, report)) continue;
+    const double away = distance_to_body(scene, scene.monitors[i].position);
+    if (away > scene.grid.cell_size)
+      report.problem(key, fmt::format("lies {:.4g} m outside the body; must lie in a region, or "
+                                      "within a cell of one",
+                                      away));
   }
 }
 
@@ -220,15 +322,21 @@ void check_monitors(const Scene& scene, SceneReport& report) {
 
 void check_scene(const Scene& scene, SceneReport& report) {
   check_grid(scene.grid, report);
-  check_time(scene.timing, report);
+  check_time(scene, report);
   check_names("material", scene.materials, report);
   check_names("region", scene.regions, report);
   check_names("gate", scene.gates, report);
+  check_names("stage", scene.stages, report);
   check_names("monitor", scene.monitors, report);
   check_materials(scene.materials, report);
   check_regions(scene, report);
   check_gates(scene, report);
+  check_stages(scene, report);
   check_monitors(scene, report);
+  if (report.usable({"output.front_regions", "region"}))
+    for (const std::string& name : scene.output.front_regions)
+      if (!has_name(scene.regions, name))
+        report.problem("output.front_regions", unknown_name(name, scene.regions, "region"));
 }
 
 } // namespace scarp::io

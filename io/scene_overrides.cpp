@@ -14,15 +14,18 @@
 namespace scarp::io {
 namespace {
 
-// `value = TEXT` with the override as its source; words may lack their quotes.
+// `value = TEXT` with the override as its source; words and paths may lack their quotes.
 toml::table parse_value(const std::string& text, const std::string& source) {
   try {
     toml::table parsed = toml::parse("value = " + text, source);
     if (parsed.size() != 1) throw std::runtime_error("holds more than one value");
     return parsed;
   } catch (const toml::parse_error& error) {
-    const bool words = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
-                       text.find_first_of("'\"\n\r[]{}=") == std::string::npos;
+    const bool words =
+        !text.empty() &&
+        (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text.starts_with('/') ||
+         text.starts_with("./") || text.starts_with("../")) &&
+        text.find_first_of("'\"\n\r[]{}=") == std::string::npos;
     if (words) return toml::parse("value = '" + text + "'", source);
     throw std::runtime_error(fmt::format("'{}' is no TOML value: {}", text, error.description()));
   }

@@ -75,13 +75,22 @@ Section<Grid> walls_section() {
           }};
 }
 
+Option<Timing> end_time() {
+  Option<Timing> option = number<Timing>(
+      "end_s", "s", &Timing::end_time, {.above = 0},
+      "Time at which the run ends. Required without [[stage]], to be left out with.");
+  option.write = [](const Timing& timing, int) -> Json {
+    return timing.end_time > 0.0 ? Json(timing.end_time) : Json();
+  };
+  return option;
+}
+
 Section<Timing> time_section() {
   return {
       .name = "time",
       .help = "Length of the run and of its steps.",
       .options = {
-          required(number<Timing>("end_s", "s", &Timing::end_time, {.above = 0},
-                                  "Time at which the run ends.")),
+          end_time(),
           required(number<Timing>("output_interval_s", "s", &Timing::output_interval, {.above = 0},
                                   "Time between frames, at most the whole run.")),
           number<Timing>("history_interval_s", "s", &Timing::history_interval, {.at_least = 0},
@@ -92,8 +101,8 @@ Section<Timing> time_section() {
                          {.above = 0, .infinity = "no limit"}, "Largest time step."),
           number<Timing>("rest_energy_fraction", "", &Timing::rest_energy_fraction,
                          {.at_least = 0, .below = 1},
-                         "The run ends early once the kinetic energy has stayed below this part of "
-                         "its peak for rest_duration_s; 0: never."),
+                         "The run (with stages: one until rest) ends early once the kinetic energy "
+                         "has stayed below this part of its peak for rest_duration_s; 0: never."),
           number<Timing>("rest_duration_s", "s", &Timing::rest_duration, {.at_least = 0},
                          "How long the scene must be at rest; see rest_energy_fraction."),
       }};
@@ -304,6 +313,101 @@ Section<Gate> gate_section() {
           }};
 }
 
+// A ramp that `member` finds in a stage.
+template <typename Member> Option<Stage> ramp(std::string key, Member member, std::string help) {
+  return Declaration<Stage>{
+      .key = std::move(key),
+      .unit = "",
+      .allowed = ramp_rule,
+      .help = std::move(help),
+      .read = [=](const toml::node& node, int,
+                  Stage& stage) { return read_ramp(node, std::invoke(member, stage)); },
+      .write = [=](const Stage& stage, int) { return ramp_json(std::invoke(member, stage)); }};
+}
+
+Option<Stage> body_forces() {
+  return Declaration<Stage>{
+      .key = "body_force",
+      .unit = "",
+      .allowed = std::string("{ REGION = FACTOR, ... }, each FACTOR ") + ramp_rule,
+      .help = "Further multiples of gravity, by region; those not named have 1.",
+      .read = [](const toml::node& node, int,
+                 Stage& stage) { return read_ramps(node, stage.body_force); },
+      .write = [](const Stage& stage, int) -> Json {
+        Json values = Json::object();
+        for (const auto& [region, factor] : stage.body_force) values[region] = ramp_json(factor);
+        return values;
+      }};
+}
+
+Option<Stage> stage_materials() {
+  return Declaration<Stage>{
+      .key = "material",
+      .unit = "",
+      .allowed = "{ REGION = 'MATERIAL', ... }",
+      .help =
+          "Materials during this stage, by region; those not named keep [[region]]'s. Stress and "
+          "state go over.",
+      .read = [](const toml::node& node, int,
+                 Stage& stage) { return read_names(node, stage.material); },
+      .write = [](const Stage& stage, int) -> Json {
+        Json values = Json::object();
+        for (const auto& [region, material] : stage.material) values[region] = material;
+        return values;
+      }};
+}
+
+Option<Stage> stage_start() {
+  const Range range{.at_least = 0};
+  return Declaration<Stage>{
+      .key = "start_s",
+      .unit = "s",
+      .allowed = range.text("s"),
+      .help = "When it starts, for the reader: the end of the stage before.",
+      .read = [range](const toml::node& node, int,
+                      Stage& stage) { return read_number(node, range, stage.start.emplace()); },
+      .write = [](const Stage& stage, int) -> Json {
+        return stage.start ? Json(*stage.start) : Json();
+      }};
+}
+
+Section<Stage> stage_section() {
+  return {.name = "stage",
+          .help =
+              "A part of the run with its own loads and materials; any number of [[stage]], one "
+              "after the other. Without, the run is one stage to time.end_s.",
+          .options = {
+              name<Stage>("Name in messages and overrides."),
+              required(number<Stage>("duration_s", "s", &Stage::duration, {.above = 0},
+                                     "How long it lasts.")),
+              stage_start(),
+              Declaration<Stage>{
+                  .key = "until_rest",
+                  .unit = "",
+                  .allowed = "true or false",
+                  .help = "Ends before duration_s is over, once the mass is at rest; "
+                          "see time.rest_energy_fraction.",
+                  .read = [](const toml::node& node, int,
+                             Stage& stage) { return read_truth(node, stage.until_rest); },
+                  .write = [](const Stage& stage, int) -> Json { return stage.until_rest; }},
+              ramp("gravity", &Stage::gravity,
+                   "Multiple of gravity_m_s2, time from the stage's start."),
+              body_forces(),
+              stage_materials(),
+              Declaration<Stage>{
+                  .key = "begin_from",
+                  .unit = "",
+                  .allowed = "a directory with one series, or a .pvd or .vtp file",
+                  .help = "The run whose last frame this stage begins from: the same points, all "
+                          "fields. Stages before this one are left out.",
+                  .read = [](const toml::node& node, int,
+                             Stage& stage) { return read_text_value(node, stage.begin_from); },
+                  .write = [](const Stage& stage, int) -> Json {
+                    return stage.begin_from.empty() ? Json() : Json(stage.begin_from);
+                  }},
+          }};
+}
+
 Section<Monitor> monitor_section() {
   return {.name = "monitor",
           .help = "A point to be followed in history.csv; any number of [[monitor]].",
@@ -322,16 +426,26 @@ std::vector<std::string> field_names() {
 }
 
 Section<Output> output_section() {
-  return {.name = "output",
-          .help = "What the frames hold.",
-          .options = {Declaration<Output>{
+  return {
+      .name = "output",
+      .help = "What the frames hold.",
+      .options = {
+          Declaration<Output>{
               .key = "fields",
               .unit = "",
               .allowed = "a list of different words out of " + quoted_list(field_names(), "and"),
               .help = "Fields to write; an empty list: all.",
               .read = [](const toml::node& node, int,
                          Output& output) { return read_words(node, field_names(), output.fields); },
-              .write = [](const Output& output, int) -> Json { return output.fields; }}}};
+              .write = [](const Output& output, int) -> Json { return output.fields; }},
+          Declaration<Output>{
+              .key = "front_regions",
+              .unit = "",
+              .allowed = "a list of different names of regions",
+              .help = "Regions whose largest x is front_x_m in history.csv; an empty list: all.",
+              .read = [](const toml::node& node, int,
+                         Output& output) { return read_name_list(node, output.front_regions); },
+              .write = [](const Output& output, int) -> Json { return output.front_regions; }}}};
 }
 
 } // namespace
@@ -345,6 +459,7 @@ const SceneSchema& scene_schema() {
                                      .material = material_section(),
                                      .region = region_section(),
                                      .gate = gate_section(),
+                                     .stage = stage_section(),
                                      .monitor = monitor_section(),
                                      .output = output_section()};
   return schema;

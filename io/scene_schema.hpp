@@ -15,6 +15,7 @@ struct SceneSchema {
   Section<Material> material;
   Section<Region> region;
   Section<Gate> gate;
+  Section<Stage> stage;
   Section<Monitor> monitor;
   Section<Output> output;
 };
@@ -35,6 +36,7 @@ void for_each_section(AnyScene& scene, Visitor&& visit) {
   visit(schema.material, scene.materials);
   visit(schema.region, scene.regions);
   visit(schema.gate, scene.gates);
+  visit(schema.stage, scene.stages);
   visit(schema.monitor, scene.monitors);
   visit(schema.output, scene.output);
 }

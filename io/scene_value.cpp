@@ -3,6 +3,7 @@
 #include "io/text.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -209,6 +210,75 @@ Complaint read_wall(const toml::node& node, Wall& value) {
     return {fmt::format("is {} with a coefficient, which only 'friction' has", shown(*kind))};
   }
   value = wall;
+  return {};
+}
+
+Complaint read_truth(const toml::node& node, bool& value) {
+  const auto* flag = node.as_boolean();
+  if (flag == nullptr) return {"is " + shown(node)};
+  value = flag->get();
+  return {};
+}
+
+Complaint read_name_list(const toml::node& node, std::vector<std::string>& value) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return {"is " + shown(node)};
+  std::vector<std::string> names;
+  for (const toml::node& entry : *array) {
+    std::string name;
+    if (read_name(entry, name)) return {"holds " + shown(entry)};
+    if (std::ranges::find(names, name) != names.end())
+      return {fmt::format("holds '{}' twice", name)};
+    names.push_back(name);
+  }
+  value = names;
+  return {};
+}
+
+Complaint read_names(const toml::node& node, std::map<std::string, std::string>& value) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return {"is " + shown(node)};
+  std::map<std::string, std::string> names;
+  for (const auto& [key, entry] : *table)
+    if (read_name(entry, names[std::string(key.str())]))
+      return {fmt::format("has '{}', which is {}", key.str(), shown(entry))};
+  value = names;
+  return {};
+}
+
+Complaint read_ramp(const toml::node& node, Ramp& value) {
+  double constant = 0.0;
+  if (!read_number(node, {}, constant)) {
+    value.points = {{0.0, constant}};
+    return {};
+  }
+  if (size_of(node) == 0) return {"is " + shown(node)};
+  std::vector<std::array<double, 2>> points;
+  for (const toml::node& entry : *node.as_array()) {
+    std::vector<double> pair;
+    if (const Complaint wrong = read_numbers(entry, 2, pair))
+      return {fmt::format("has a point {} that {}", points.size(), wrong.what)};
+    if (pair[0] < 0.0 || (!points.empty() && pair[0] <= points.back()[0]))
+      return {fmt::format("has the time {} at point {}", number_text(pair[0]), points.size())};
+    points.push_back({pair[0], pair[1]});
+  }
+  value.points = points;
+  return {};
+}
+
+nlohmann::ordered_json ramp_json(const Ramp& ramp) {
+  if (ramp.constant()) return ramp.points.front()[1];
+  return ramp.points;
+}
+
+Complaint read_ramps(const toml::node& node, std::map<std::string, Ramp>& value) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return {"is " + shown(node)};
+  std::map<std::string, Ramp> ramps;
+  for (const auto& [key, entry] : *table)
+    if (const Complaint wrong = read_ramp(entry, ramps[std::string(key.str())]))
+      return {fmt::format("has '{}', which {}", key.str(), wrong.what)};
+  value = ramps;
   return {};
 }
 

@@ -3,10 +3,12 @@
 
 #include "core/scene.hpp"
 
+#include <nlohmann/json_fwd.hpp>
 #include <toml++/toml.h>
 
 #include <array>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +66,19 @@ Complaint read_interval(const toml::node& node, std::array<double, 2>& value);
 Complaint read_polygon(const toml::node& node, std::vector<std::array<double, 2>>& value);
 /// Two opposite corners, the lower one first; sets the polygon and, in 3-D, the depth.
 Complaint read_box(const toml::node& node, int dimension, Region& region);
+
+Complaint read_truth(const toml::node& node, bool& value);
+/// Different names.
+Complaint read_name_list(const toml::node& node, std::vector<std::string>& value);
+/// { NAME = 'NAME', ... }
+Complaint read_names(const toml::node& node, std::map<std::string, std::string>& value);
+
+inline constexpr const char* ramp_rule =
+    "a finite number, or [[TIME in s, number], ...] with ascending times >= 0, linear in between";
+Complaint read_ramp(const toml::node& node, Ramp& value);
+nlohmann::ordered_json ramp_json(const Ramp& ramp);
+/// { NAME = RAMP, ... }
+Complaint read_ramps(const toml::node& node, std::map<std::string, Ramp>& value);
 
 /// The words for walls, in the order of WallKind.
 inline const std::vector<std::string> wall_words = {"fixed", "symmetry", "free", "friction"};

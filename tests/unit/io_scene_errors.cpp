@@ -38,12 +38,13 @@ const Case cases[] = {
      "title",
      "titel",
      {"1:1: titel: is unknown; must be one of 'grid', 'walls', 'time', 'method', 'material', "
-      "'region', 'gate', 'monitor', 'output', 'title' and 'gravity_m_s2' (did you mean 'title'?)"}},
+      "'region', 'gate', 'stage', 'monitor', 'output', 'title' and 'gravity_m_s2' (did you mean "
+      "'title'?)"}},
     {"UnknownSection",
      "[method]\nscheme = \"musl\"",
      "[methods]",
      {"12:2: methods: is unknown; must be one of 'grid', 'walls', 'time', 'method', 'material', "
-      "'region', 'gate', 'monitor', 'output', 'title' and 'gravity_m_s2' (did you mean "
+      "'region', 'gate', 'stage', 'monitor', 'output', 'title' and 'gravity_m_s2' (did you mean "
       "'method'?)"}},
     {"UnknownKey",
      "lower_m =",
@@ -347,6 +348,18 @@ const Case cases[] = {
      "position_m = [0.5, -0.5]",
      {"38:14: monitor.A.position_m: has z = -0.5, outside the grid, where z runs from 0 to 1; must "
       "lie inside"}},
+    {"MonitorInTheAir",
+     "position_m = [0.5, 0.5]",
+     "position_m = [1.5, 0.5]",
+     {"38:14: monitor.A.position_m: lies 0.7071 m outside the body; must lie in a region, or "
+      "within "
+      "a cell of one"}},
+    {"UnknownFrontRegion",
+     "[\"velocity\"]",
+     "[\"velocity\"]\nfront_regions = [\"pole\"]",
+     {"41:17: output.front_regions: names 'pole'; must be the name of a [[region]]: 'pile' (did "
+      "you "
+      "mean 'pile'?)"}},
     {"UnknownField",
      "[\"velocity\"]",
      "[\"velocty\"]",

@@ -29,9 +29,9 @@ box_m = [[0, 0], [1, 1]]
 10:12: region.r.material: is 'b'; must be the name of a [[material]]: 'a' (did you mean 'a'?)
 11:9: region.r.box_m: has a corner 0 that is an array of 2; must be two corners [[x, z], [x, z]] (3-D: [[x, y, z], [x, y, z]]), the lower first, finite numbers in m
 --set grid.points_per_cell=0: is 0; must be a whole number from 1 to 10
---set time.end=1: time.end_s: is missing; must be a number > 0, in s
 --set time.end=1: time.output_interval_s: is missing; must be a number > 0, in s
 --set time.end=1: is unknown; must be one of 'end_s', 'output_interval_s', 'history_interval_s', 'cfl', 'max_step_s', 'rest_energy_fraction' and 'rest_duration_s' (did you mean 'end_s'?)
+--set time.end=1: time.end_s: is missing; must be a number > 0, in s, where there is no [[stage]]
 )");
 }
 
@@ -76,7 +76,7 @@ TEST(SceneProblems, Overrides) {
             "'musl'?)");
   EXPECT_EQ(problem("gird.cell_size_m=1"),
             "--set gird.cell_size_m=1: gird: is unknown; must be one of 'grid', 'walls', 'time', "
-            "'method', 'material', 'region', 'gate', 'monitor', 'output', 'title' and "
+            "'method', 'material', 'region', 'gate', 'stage', 'monitor', 'output', 'title' and "
             "'gravity_m_s2' (did you mean 'grid'?)");
   EXPECT_EQ(
       problem("material.siol.cohesion_Pa=1"),

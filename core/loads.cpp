@@ -1,0 +1,85 @@
+#include "core/loads.hpp"
+
+#include "core/error.hpp"
+#include "core/grid_index.hpp"
+
+#include <algorithm>
+
+namespace scarp {
+
+template <int Dim> Loads<Dim>::Loads(const Scene& scene) {
+  for (int a = 0; a < Dim; ++a)
+    gravity_[static_cast<std::size_t>(a)] = scene.gravity[scene_axis<Dim>(a)];
+  for (const Region& region : scene.regions) regions_.push_back(region.name);
+}
+
+template <int Dim> void Loads<Dim>::begin_stage(const Stage& stage, double start_time) {
+  for (const auto& entry : stage.body_force)
+    if (std::ranges::find(regions_, entry.first) == regions_.end())
+      throw SetupError("stage '" + stage.name + "': no region '" + entry.first + "'");
+  start_ = start_time;
+  all_ = stage.gravity;
+  vary_ = !all_.constant();
+  by_region_.clear();
+  for (const std::string& region : regions_) {
+    const auto entry = stage.body_force.find(region);
+    by_region_.push_back(entry == stage.body_force.end() ? Ramp{} : entry->second);
+    vary_ = vary_ || !by_region_.back().constant();
+  }
+  update(start_time);
+}
+
+template <int Dim> void Loads<Dim>::update(double time) {
+  const double t = time - start_;
+  const double all = all_.at(t);
+  std::vector<double> factors;
+  for (const Ramp& ramp : by_region_) factors.push_back(all * ramp.at(t));
+  const auto scaled = [&](double factor) {
+    Vec<Dim> b = gravity_;
+    for (Real& component : b) component *= factor;
+    return b;
+  };
+  own_.clear();
+  common_ = {};
+  if (std::ranges::all_of(factors, [&](double factor) { return factor == factors.front(); }))
+    common_ = scaled(factors.empty() ? all : factors.front());
+  else
+    for (const double factor : factors) own_.push_back(scaled(factor));
+}
+
+template <int Dim> Vec<Dim> Loads<Dim>::force(std::size_t region) const {
+  return own_.empty() ? common_ : own_[region];
+}
+
+template <int Dim> std::vector<Vec<Dim>> Loads<Dim>::moments(const Particles<Dim>& points) const {
+  std::vector<Vec<Dim>> sums(regions_.size());
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (std::size_t i = 0; i < Dim; ++i) sums[points.region[p]][i] += points.m[p] * points.x[i][p];
+  return sums;
+}
+
+template <int Dim> Real Loads<Dim>::potential(const Particles<Dim>& points) const {
+  const std::vector<Vec<Dim>> now = moments(points);
+  Real sum = 0.0;
+  for (std::size_t r = 0; r < now.size(); ++r)
+    for (std::size_t i = 0; i < Dim; ++i) sum -= force(r)[i] * now[r][i];
+  return sum;
+}
+
+template <int Dim> Real Loads<Dim>::work(const Particles<Dim>& points) const {
+  const std::vector<Vec<Dim>> now = moments(points);
+  Real sum = work_;
+  for (std::size_t r = 0; r < settled_.size(); ++r)
+    for (std::size_t i = 0; i < Dim; ++i) sum += force(r)[i] * (now[r][i] - settled_[r][i]);
+  return sum;
+}
+
+template <int Dim> void Loads<Dim>::settle(const Particles<Dim>& points) {
+  work_ = work(points);
+  settled_ = moments(points);
+}
+
+template class Loads<2>;
+template class Loads<3>;
+
+} // namespace scarp

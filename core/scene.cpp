@@ -1,0 +1,23 @@
+#include "core/scene.hpp"
+
+#include <algorithm>
+
+namespace scarp {
+
+double Ramp::at(double time) const {
+  const auto after = std::ranges::find_if(points, [&](const auto& p) { return p[0] > time; });
+  if (after == points.begin()) return points.front()[1];
+  if (after == points.end()) return points.back()[1];
+  const auto& [t0, f0] = *(after - 1);
+  const auto& [t1, f1] = *after;
+  return f0 + (f1 - f0) * (time - t0) / (t1 - t0);
+}
+
+double end_time(const Scene& scene) {
+  if (scene.stages.empty()) return scene.timing.end_time;
+  double end = 0.0;
+  for (const Stage& stage : scene.stages) end += stage.duration;
+  return end;
+}
+
+} // namespace scarp
