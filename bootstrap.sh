@@ -20,7 +20,7 @@ TEXT
 }
 
 program_packages=(g++ cmake ninja-build libvtk9-dev libosmesa6-dev libtomlplusplus-dev libcli11-dev
-  nlohmann-json3-dev libfmt-dev fonts-dejavu-core)
+  nlohmann-json3-dev libfmt-dev libeigen3-dev fonts-dejavu-core)
 # clang-tidy takes omp.h from libomp-dev.
 test_packages=(libgtest-dev libbenchmark-dev ccache clang-format clang-tidy libomp-dev)
 
