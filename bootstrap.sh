@@ -21,8 +21,8 @@ TEXT
 
 program_packages=(g++ cmake ninja-build libvtk9-dev libosmesa6-dev libtomlplusplus-dev libcli11-dev
   nlohmann-json3-dev libfmt-dev libeigen3-dev fonts-dejavu-core)
-# clang-tidy takes omp.h from libomp-dev.
-test_packages=(libgtest-dev libbenchmark-dev ccache clang-format clang-tidy libomp-dev)
+# clang-tidy takes omp.h from libomp-dev; parallel and chromium are for end-to-end tests.
+test_packages=(libgtest-dev libbenchmark-dev ccache clang-format clang-tidy libomp-dev parallel chromium)
 
 logs=build/log
 demo=demo/bui2008

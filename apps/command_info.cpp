@@ -4,6 +4,7 @@
 #include "core/simulation.hpp"
 #include "io/scene_file.hpp"
 #include "io/snapshot.hpp"
+#include "io/study_file.hpp"
 
 #include <fmt/format.h>
 
@@ -66,9 +67,13 @@ void add_info(CLI::App& program) {
 }
 
 void add_options(CLI::App& program) {
+  const auto study = std::make_shared<bool>(false);
   CLI::App* command =
       program.add_subcommand("options", "Print the manual of scene files (Markdown).");
-  command->callback([] { fmt::print("{}", io::scene_reference_markdown()); });
+  command->add_flag("--study", *study, "That of study files instead");
+  command->callback([study] {
+    fmt::print("{}", *study ? io::study_reference_markdown() : io::scene_reference_markdown());
+  });
 }
 
 } // namespace scarp::apps

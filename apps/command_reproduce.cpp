@@ -1,6 +1,7 @@
 // scarp reproduce NAME
 #include "apps/bui2008.hpp"
 #include "apps/commands.hpp"
+#include "apps/wu2017.hpp"
 
 #include <memory>
 
@@ -25,6 +26,18 @@ void add_reproduce(CLI::App& program) {
       ->allow_extra_args(false);
   bui->footer("Example:\n  scarp reproduce bui2008 --out out/bui2008 --cell 0.0025");
   bui->callback([options] { reproduce_bui2008(*options); });
+
+  const auto slope = std::make_shared<Wu2017Options>();
+  CLI::App* wu = command->add_subcommand(
+      "wu2017", "Surcharge-induced landslide (Wu et al. 2017, fig. 6-12, table 1, eqs. 20-27)");
+  wu->add_option("--out", slope->out, "Directory for the results")->required();
+  wu->add_option("--jobs", slope->jobs, "Runs side by side; default: one a processor")
+      ->check(CLI::Range(1, 1024));
+  wu->add_option("--set", slope->set, "key=value that overrides the scene of all runs; repeatable")
+      ->allow_extra_args(false);
+  wu->footer("Finished scenarios are kept: a call that was stopped goes on where it was.\n"
+             "Example:\n  scarp reproduce wu2017 --out out/wu2017");
+  wu->callback([slope] { reproduce_wu2017(*slope); });
 }
 
 } // namespace scarp::apps

@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
     scarp::apps::add_reproduce(program);
     scarp::apps::add_info(program);
     scarp::apps::add_options(program);
+    scarp::apps::add_study(program);
     try {
       program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

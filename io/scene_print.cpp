@@ -2,6 +2,7 @@
 
 #include "core/fields.hpp"
 #include "io/scene_schema.hpp"
+#include "io/section_print.hpp"
 #include "io/text.hpp"
 
 #include <fmt/format.h>
@@ -11,30 +12,6 @@
 
 namespace scarp::io {
 namespace {
-
-std::string toml_string(const Json& value) {
-  // JSON's escapes are TOML's, but TOML escapes DEL as well.
-  std::string text = value.dump();
-  for (std::size_t at = text.find('\x7f'); at != std::string::npos; at = text.find('\x7f', at))
-    text.replace(at, 1, "\\u007f");
-  return text;
-}
-
-std::string toml_text(const Json& value) {
-  if (value.is_string()) return toml_string(value);
-  if (value.is_number_float()) return number_text(value.get<double>());
-  std::vector<std::string> entries;
-  if (value.is_array()) {
-    for (const Json& entry : value) entries.push_back(toml_text(entry));
-    return fmt::format("[{}]", fmt::join(entries, ", "));
-  }
-  if (value.is_object()) {
-    for (const auto& [key, entry] : value.items())
-      entries.push_back(fmt::format("{} = {}", key, toml_text(entry)));
-    return fmt::format("{{ {} }}", fmt::join(entries, ", "));
-  }
-  return value.dump();
-}
 
 template <typename T> Json section_values(const Section<T>& section, const T& part, int dimension) {
   Json values = Json::object();
@@ -77,34 +54,6 @@ void append_table(std::string& text, const std::string& header, const Json& valu
   text += fmt::format("{}{}\n", text.empty() ? "" : "\n", header);
   for (const auto& [key, value] : values.items())
     text += fmt::format("{} = {}\n", key, toml_text(value));
-}
-
-template <typename T> std::string default_text(const Section<T>& section, const Option<T>& option) {
-  std::string text = "required";
-  if (!option.required) {
-    const Json value = option.write(option.example, 2);
-    text = value.is_null() ? "-" : fmt::format("`{}`", toml_text(value));
-  }
-  for (const Option<T>& other : section.options)
-    for (const std::string& replaced : other.instead_of)
-      if (replaced == option.key) text += fmt::format(", or `{}`", other.key);
-  return text;
-}
-
-template <typename T>
-std::string reference_of(const Section<T>& section, const std::string& header) {
-  std::string text = fmt::format("\n## {}\n\n{}\n\n", header, section.help);
-  text += "| key | unit | default | must be | meaning |\n|---|---|---|---|---|\n";
-  for (const Option<T>& option : section.options) {
-    std::string meaning = option.help;
-    if (!option.condition.empty()) meaning += fmt::format(" Only with `{}`.", option.condition);
-    if (!option.instead_of.empty())
-      meaning += fmt::format(" Replaces `{}`.", fmt::join(option.instead_of, "` and `"));
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", option.key,
-                        option.unit.empty() ? "-" : option.unit, default_text(section, option),
-                        option.allowed, meaning);
-  }
-  return text;
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace scarp::io {
 namespace {
@@ -24,27 +25,16 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-void add_names(Table& table, const std::vector<std::string>& cells) {
-  for (const std::string& name : cells) {
+void check_names(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
     if (name.empty()) throw std::runtime_error("a column has no name");
-    if (std::ranges::count(cells, name) > 1)
+    if (std::ranges::count(names, name) > 1)
       throw std::runtime_error(fmt::format("two columns are named '{}'", name));
   }
-  table.names = cells;
-  table.columns.resize(cells.size());
 }
 
-void add_row(Table& table, const std::vector<std::string>& cells) {
-  if (cells.size() != table.names.size())
-    throw std::runtime_error(
-        fmt::format("{} values for {} columns", cells.size(), table.names.size()));
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    try {
-      table.columns[i].push_back(parse_number(cells[i]));
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("column '{}': {}", table.names[i], error.what()));
-    }
-  }
+[[noreturn]] void fail(const std::filesystem::path& file, int line, std::string_view what) {
+  throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), line, what));
 }
 
 } // namespace
@@ -59,19 +49,41 @@ const std::vector<double>& Table::column(const std::string& name) const {
 }
 
 Table read_table(const std::filesystem::path& file) {
-  Table table;
+  TextTable text = read_text_table(file);
+  Table table{.names = std::move(text.names), .columns = {}};
+  table.columns.resize(table.names.size());
+  for (std::size_t row = 0; row < text.rows.size(); ++row)
+    for (std::size_t i = 0; i < table.names.size(); ++i) {
+      try {
+        table.columns[i].push_back(parse_number(text.rows[row][i]));
+      } catch (const std::runtime_error& error) {
+        fail(file, text.lines[row], fmt::format("column '{}': {}", table.names[i], error.what()));
+      }
+    }
+  return table;
+}
+
+TextTable read_text_table(const std::filesystem::path& file) {
+  TextTable table;
   std::istringstream text(read_text(file));
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
     line = trimmed(line);
     if (line.empty() || line.front() == '#') continue;
     try {
-      if (table.names.empty())
-        add_names(table, cells_of(line));
-      else
-        add_row(table, cells_of(line));
+      std::vector<std::string> cells = cells_of(line);
+      if (table.names.empty()) {
+        check_names(cells);
+        table.names = std::move(cells);
+      } else if (cells.size() == table.names.size()) {
+        table.rows.push_back(std::move(cells));
+        table.lines.push_back(number);
+      } else {
+        throw std::runtime_error(
+            fmt::format("{} values for {} columns", cells.size(), table.names.size()));
+      }
     } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), number, error.what()));
+      fail(file, number, error.what());
     }
   }
   if (table.names.empty())

@@ -1,4 +1,4 @@
-// Comma-separated tables: '#' comments, one header line, numbers.
+// Comma-separated tables: '#' comments, one header line, numbers or words.
 #pragma once
 
 #include <filesystem>
@@ -18,5 +18,15 @@ struct Table {
 
 /// Throws std::runtime_error with file and line.
 Table read_table(const std::filesystem::path& file);
+
+/// A table whose cells are as they are written: some columns are words.
+struct TextTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows; ///< rows[i][j] belongs to names[j]
+  std::vector<int> lines;                     ///< of the rows in the file, from 1
+};
+
+/// Throws std::runtime_error with file and line.
+TextTable read_text_table(const std::filesystem::path& file);
 
 } // namespace scarp::io

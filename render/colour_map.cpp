@@ -55,10 +55,6 @@ const Anchors& anchors(ColourMap map) {
   throw std::invalid_argument("no such colour map");
 }
 
-unsigned char mixed(unsigned char a, unsigned char b, double part) {
-  return static_cast<unsigned char>(std::lround(a + part * (b - a)));
-}
-
 } // namespace
 
 ColourMap colour_map(const std::string& name) {
@@ -72,11 +68,7 @@ Colour colour_at(ColourMap map, double part) {
   const Anchors& table = anchors(map);
   const double place = std::clamp(part, 0.0, 1.0) * static_cast<double>(anchor_count - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(place), anchor_count - 2);
-  const double between = place - static_cast<double>(below);
-  const Colour a = table[below];
-  const Colour b = table[below + 1];
-  return {mixed(a.red, b.red, between), mixed(a.green, b.green, between),
-          mixed(a.blue, b.blue, between)};
+  return mixed(table[below], table[below + 1], place - static_cast<double>(below));
 }
 
 std::vector<Colour> band_colours(ColourMap map, int count) {

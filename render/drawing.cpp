@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace scarp::render {
 
@@ -52,6 +53,21 @@ std::vector<Polyline> dashed(const Polyline& line, const std::vector<double>& da
 }
 
 } // namespace
+
+Colour mixed(Colour a, Colour b, double part) {
+  const auto channel = [part](unsigned char from, unsigned char to) {
+    return static_cast<unsigned char>(std::lround(from + part * (to - from)));
+  };
+  return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
+}
+
+Box covered(const Words& words) {
+  Point size = text_size(words);
+  if (words.upright) std::swap(size.x, size.y);
+  const Point lower = {words.position.x - 0.5 * static_cast<int>(words.horizontal) * size.x,
+                       words.position.y - 0.5 * static_cast<int>(words.vertical) * size.y};
+  return {lower, {lower.x + size.x, lower.y + size.y}};
+}
 
 void Drawing::triangle(Point a, Point b, Point c, Colour colour) {
   for (const Point corner : {a, b, c}) {

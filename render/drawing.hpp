@@ -24,6 +24,9 @@ inline constexpr Colour black = {0, 0, 0};
 inline constexpr Colour white = {255, 255, 255};
 inline constexpr Colour ink = {38, 38, 38}; ///< axes and words
 
+/// `part` 0...1 of the way from `a` to `b`.
+Colour mixed(Colour a, Colour b, double part);
+
 enum class Horizontal { left, centre, right };
 enum class Vertical { bottom, middle, top };
 
@@ -72,6 +75,8 @@ struct Drawing {
 
 /// Size of the words' box in pixels before turning, with the font that rasterize() uses.
 Point text_size(const Words& words);
+/// The box that the words cover, px.
+Box covered(const Words& words);
 
 /// Four samples a pixel.  Throws std::runtime_error if there is no OpenGL (it says what to install)
 /// or if VTK reports an error; std::invalid_argument if the size is not within 1...16384 px.

@@ -43,8 +43,35 @@ const Quantity* quantity(const std::string& name) {
   return found == quantities.end() ? nullptr : &*found;
 }
 
+/// Units that read better where values are large or small.
+struct Multiple {
+  const char* unit;
+  const char* of;
+  double size;
+};
+
+constexpr std::array<Multiple, 6> multiples = {{{"kPa", "Pa", 1e3},
+                                                {"MPa", "Pa", 1e6},
+                                                {"mm", "m", 1e-3},
+                                                {"cm", "m", 1e-2},
+                                                {"mm/s", "m/s", 1e-3},
+                                                {"%", "-", 1e-2}}};
+
+/// Of the field's unit in the column's.
+double unit_size(const Field& field) {
+  const std::string own = field_unit({field.name, field.component});
+  if (field.unit.empty() || field.unit == own) return 1.0;
+  for (const Multiple& multiple : multiples)
+    if (field.unit == multiple.unit && own == multiple.of) return multiple.size;
+  throw std::invalid_argument(
+      fmt::format("{} in {} cannot be drawn in {}", field.name, own, field.unit));
+}
+
 constexpr std::array<const char*, 3> vector_components = {"x", "y", "z"};
 constexpr std::array<const char*, 6> tensor_components = {"xx", "yy", "zz", "xy", "yz", "xz"};
+/// Of a tensor in the plane x-z; its other shear components are zero.
+constexpr std::array<const char*, 6> plane_components = {
+    "horizontal {}", "out-of-plane {}", "vertical {}", "{} xy", "{} yz", "shear {}"};
 
 } // namespace
 
@@ -57,18 +84,18 @@ std::vector<double> field_values(const io::Frame& frame, const Field& field) {
     throw std::invalid_argument(
         fmt::format("{} is a tensor: choose one of its components 0 to {} (xx yy zz xy yz xz)",
                     field.name, column.components - 1));
-  if (column.components == 1) return column.values;
+  const double unit = unit_size(field);
   const auto components = static_cast<std::size_t>(column.components);
   std::vector<double> values(frame.size());
   for (std::size_t p = 0; p < values.size(); ++p) {
     const double* const all = column.values.data() + components * p;
-    if (field.component >= 0) {
-      values[p] = all[field.component];
+    if (field.component >= 0 || components == 1) {
+      values[p] = all[std::max(field.component, 0)] / unit;
       continue;
     }
     double sum = 0.0;
     for (std::size_t c = 0; c < components; ++c) sum += all[c] * all[c];
-    values[p] = std::sqrt(sum);
+    values[p] = std::sqrt(sum) / unit;
   }
   return values;
 }
@@ -81,10 +108,13 @@ std::string field_label(const io::Frame& frame, const Field& field) {
   if (components == 1) return label;
   if (field.component < 0) return label + " magnitude";
   const auto c = static_cast<std::size_t>(field.component);
-  return label + " " + (components > 3 ? tensor_components.at(c) : vector_components.at(c));
+  if (components == 3) return label + " " + vector_components.at(c);
+  if (frame.dimension == 3) return label + " " + tensor_components.at(c);
+  return fmt::format(fmt::runtime(plane_components.at(c)), label);
 }
 
 std::string field_unit(const Field& field) {
+  if (!field.unit.empty()) return field.unit;
   const Quantity* const known = quantity(field.name);
   return known != nullptr ? known->unit : "";
 }
@@ -151,7 +181,10 @@ ColourRange common_range(std::span<const io::Frame> frames, const Field& field, 
   ValueSpread spread = value_spread(frames.front(), field);
   for (const io::Frame& frame : frames.subspan(1))
     spread = united(spread, value_spread(frame, field));
-  return round_range(spread, most_bands);
+  if (!is_category(field)) return round_range(spread, most_bands);
+  const double first = std::round(spread.least);
+  const auto bands = static_cast<int>(std::lround(spread.largest - first)) + 1;
+  return {first - 0.5, first - 0.5 + bands, bands};
 }
 
 } // namespace scarp::render

@@ -14,18 +14,21 @@ namespace scarp::render {
 struct Field {
   std::string name = "equivalent_plastic_strain";
   int component = -1;
+  /// To draw it in, such as kPa of Pa or mm of m; empty: the SI unit of the column.
+  std::string unit = {};
 
   bool operator==(const Field&) const = default;
 };
 
-/// One value a point.  Throws std::runtime_error if there is no such column, std::invalid_argument
-/// if there is no such component or a tensor is asked for its magnitude.
+/// One value a point, in the field's unit.  Throws std::runtime_error if there is no such column,
+/// std::invalid_argument if there is no such component or unit or a tensor is asked for its
+/// magnitude.
 std::vector<double> field_values(const io::Frame& frame, const Field& field);
 
-/// "velocity magnitude", "stress xx", "equivalent plastic strain"; underscores of unknown names
-/// become blanks.
+/// "velocity magnitude", "vertical stress", "equivalent plastic strain"; underscores of unknown
+/// names become blanks.
 std::string field_label(const io::Frame& frame, const Field& field);
-/// "m/s", "Pa"; "-" if the field has no dimension, empty if it is unknown.
+/// "m/s", "kPa"; "-" if the field has no dimension, empty if it is unknown.
 std::string field_unit(const Field& field);
 /// Whether the values are numbers of things, such as `region`, not quantities.
 bool is_category(const Field& field);
@@ -60,8 +63,8 @@ struct ColourRange {
 /// values come near it.
 ColourRange round_range(const ValueSpread& spread, int most_bands);
 
-/// One range for all frames of a series.  For a series too large for memory unite the spreads frame
-/// by frame.  Throws as field_values().
+/// One range for all frames of a series; categories get one band a number.  For a series too large
+/// for memory unite the spreads frame by frame.  Throws as field_values().
 ColourRange common_range(std::span<const io::Frame> frames, const Field& field,
                          int most_bands = 12);
 

@@ -26,6 +26,7 @@ struct FrameStyle {
   std::string title = {};
   int time_digits = 2;      ///< after the point of the time
   bool draw_points = false; ///< discs instead of bands
+  int columns = 1;          ///< of the panels of render_panels() and render_field_panels()
 };
 
 /// The part of the plane a frame's body needs: from the grid's lower side to a little beyond the

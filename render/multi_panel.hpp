@@ -7,8 +7,9 @@
 
 namespace scarp::render {
 
-/// Panels a), b), ... from top to bottom with one view, one range and one colour bar; each bears
-/// its time.  Plane strain only.  `style.height` 0 gives every panel the height its body needs.
+/// Panels a), b), ... row by row in `style.columns` with one view, one range and one colour bar;
+/// each bears its time.  Plane strain only.  `style.height` 0 gives every panel the height its body
+/// needs.
 /// Throws as render_frame(), and std::invalid_argument without frames.
 Image render_panels(std::span<const io::Frame> frames, const FrameStyle& style);
 

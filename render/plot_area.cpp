@@ -104,10 +104,12 @@ void draw_axes(Drawing& drawing, const PlotArea& area, const Axis& x, const Axis
     if (x.labelled) drawing.write(words);
   }
   words.text = title(x);
+  words.size = fitting_size(words.text, box.width() + 2.0 * font_size, font_size);
   words.position = {0.5 * (box.lower.x + box.upper.x),
                     box.lower.y - tick - (label_gap + 1.0 + title_gap) * font_size};
   if (x.labelled) drawing.write(words);
 
+  words.size = font_size;
   words.horizontal = Horizontal::right;
   words.vertical = Vertical::middle;
   const std::vector<std::string> y_labels = labels(y);
@@ -119,11 +121,17 @@ void draw_axes(Drawing& drawing, const PlotArea& area, const Axis& x, const Axis
     if (y.labelled) drawing.write(words);
   }
   words.text = title(y);
+  words.size = fitting_size(words.text, box.height() + 2.0 * font_size, font_size);
   words.upright = true;
   words.position = {box.lower.x - tick - (label_gap + title_gap) * font_size -
                         widest(y_labels, font_size),
                     0.5 * (box.lower.y + box.upper.y)};
   if (y.labelled) drawing.write(words);
+}
+
+double fitting_size(const std::string& text, double room, double font_size) {
+  constexpr double least = 0.75;
+  return font_size * std::clamp(room / widest({text}, font_size), least, 1.0);
 }
 
 double default_font_size(int width, int height) {

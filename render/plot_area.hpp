@@ -45,9 +45,12 @@ Margins axis_margins(const Axis& x, const Axis& y, double font_size);
 void draw_axes(Drawing& drawing, const PlotArea& area, const Axis& x, const Axis& y,
                double font_size);
 
+/// The size of words that fit in `room` px: less than `font_size`, but not below what can be read,
+/// if they are longer.
+double fitting_size(const std::string& text, double room, double font_size);
+
 /// The default size of words, px: 26 in a picture of 1920 x 1080 px, less in a flat one, never
-/// below
-/// 11.  A height of 0 is not known yet.
+/// below 11.  A height of 0 is not known yet.
 double default_font_size(int width, int height);
 
 } // namespace scarp::render

@@ -116,7 +116,7 @@ Image render_solid(const io::Frame& frame, const FrameStyle& style) {
   const ColourRange range =
       style.range ? *style.range : common_range({&frame, 1}, style.field, style.bands);
   const ColourBar bar = {range, style.colours, field_label(frame, style.field),
-                         field_unit(style.field), false};
+                         field_unit(style.field), is_category(style.field)};
   const double thickness = bar_thickness(bar, false, font);
   const double top = (style.title.empty() ? 2.6 : 4.4) * font;
   const double below = thickness + 5.4 * font;

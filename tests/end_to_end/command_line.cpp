@@ -9,7 +9,8 @@ using CommandLine = EndToEnd;
 
 TEST_F(CommandLine, HelpOfEveryCommandIsNoError) {
   const std::vector<std::vector<std::string>> commands = {
-      {}, {"run"}, {"render"}, {"reproduce"}, {"reproduce", "bui2008"}, {"info"}, {"options"}};
+      {},       {"run"},     {"render"}, {"reproduce"}, {"reproduce", "bui2008"},
+      {"info"}, {"options"}, {"study"}};
   for (std::vector<std::string> words : commands) {
     words.emplace_back("--help");
     const Result result = scarp(words);
@@ -106,10 +107,13 @@ TEST_F(CommandLine, InfoPrintsEveryValueAsASceneThatMeansTheSame) {
   EXPECT_EQ(first.out, second.out);
 }
 
-TEST_F(CommandLine, TheManualOfScenesIsTheOneInTheData) {
+TEST_F(CommandLine, TheManualsAreThoseInTheData) {
   const Result result = scarp({"options"});
   expect_success(result);
   EXPECT_EQ(result.out, content(fs::path(SCARP_DATA_DIR) / "scene_reference.md"));
+  const Result study = scarp({"options", "--study"});
+  expect_success(study);
+  EXPECT_EQ(study.out, content(fs::path(SCARP_DATA_DIR) / "study_reference.md"));
 }
 
 } // namespace scarp::test

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -84,8 +83,9 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 } // namespace
 
-Program::Program(const fs::path& directory, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {SCARP_PROGRAM};
+Program::Program(const fs::path& directory, const std::vector<std::string>& arguments,
+                 const std::string& program) {
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = child_environment();
 
@@ -97,14 +97,14 @@ Program::Program(const fs::path& directory, const std::vector<std::string>& argu
   ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
-  const int error = ::posix_spawn(&id_, SCARP_PROGRAM, &actions, nullptr, pointers(words).data(),
-                                  pointers(environment).data());
+  const int error = ::posix_spawnp(&id_, program.c_str(), &actions, nullptr, pointers(words).data(),
+                                   pointers(environment).data());
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(out.ends[1]);
   ::close(err.ends[1]);
   out_ = out.ends[0];
   err_ = err.ends[0];
-  check(error, SCARP_PROGRAM);
+  check(error, program.c_str());
 }
 
 Program::~Program() {
@@ -116,7 +116,7 @@ Program::~Program() {
   ::close(err_);
 }
 
-void Program::kill() const { ::kill(id_, SIGKILL); }
+void Program::kill(int signal) const { ::kill(id_, signal); }
 
 Result Program::wait() {
   Result result;

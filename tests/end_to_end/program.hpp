@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,15 +23,17 @@ struct Result {
 /// A running program.  It is killed and waited for if nobody did.
 class Program {
  public:
-  /// Starts `scarp ARGUMENTS...` in a directory, with the project's data and without a terminal.
-  Program(const fs::path& directory, const std::vector<std::string>& arguments);
+  /// Starts `scarp ARGUMENTS...`, or another program that is found as a shell would, in a
+  /// directory, with the project's data and without a terminal.
+  Program(const fs::path& directory, const std::vector<std::string>& arguments,
+          const std::string& program = SCARP_PROGRAM);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program();
 
   /// Reads until it has closed its output, then waits for its end.
   Result wait();
-  void kill() const;
+  void kill(int signal = SIGKILL) const;
 
  private:
   pid_t id_ = -1;

@@ -1,9 +1,14 @@
+#include "render/chart_panels.hpp"
+#include "render/field_panels.hpp"
 #include "render/frame_figure.hpp"
+#include "render/lattice_figure.hpp"
 #include "render/line_chart.hpp"
 #include "render/model_figure.hpp"
 #include "render/multi_panel.hpp"
+#include "render/parity_chart.hpp"
 #include "render/validation_figure.hpp"
 #include "tests/support/hand_made_frames.hpp"
+#include "tests/support/hand_made_slope.hpp"
 #include "tests/support/image_compare.hpp"
 
 #include <gtest/gtest.h>
@@ -122,6 +127,60 @@ TEST(LineChart, CurvesWithLegend) {
                             .width = width,
                             .height = height};
   EXPECT_TRUE(matches_baseline(render_chart(curves, style), "chart"));
+}
+
+TEST(ChartPanels, SpansAFamilyAndParity) {
+  Chart history = {{}, {.x_name = "time", .x_unit = "s", .y_name = "velocity", .y_unit = "m/s"}};
+  history.style.title = "stages";
+  history.style.spans = {{"I", {0.0, 3.0}}, {"II", {3.0, 6.0}}, {"III", {6.0, 9.0}}};
+  Chart family = {{}, {.x_name = "time", .x_unit = "s", .y_name = "energy", .y_unit = "kJ"}};
+  family.style.title = "fifteen curves";
+  family.style.parameter_name = "c";
+  family.style.parameter_unit = "kPa";
+  for (int value = 15; value < 30; ++value) {
+    Curve curve;
+    curve.parameter = value;
+    curve.weight = 0.7;
+    for (int i = 0; i <= 60; ++i) {
+      const double t = 0.25 * i;
+      curve.x.push_back(t);
+      curve.y.push_back(3e4 / value * std::exp(-0.4 * (t - 5.0) * (t - 5.0)));
+    }
+    family.curves.push_back(curve);
+  }
+  history.curves = {{"toe", family.curves[0].x, family.curves[0].y}};
+  const std::vector<double> reference = {1.0, 2.0, 3.5, 4.0, 5.2};
+  const std::vector<double> computed = {1.1, 1.9, 3.7, 3.9, 5.3};
+  const Chart parity =
+      parity_chart(reference, computed,
+                   {.quantity = "velocity", .unit = "m/s", .tolerance = 0.05, .notes = {"R² = 1"}});
+  const Chart residual =
+      residual_chart(reference, {0.1, -0.1, 0.2, -0.1, 0.1}, {.quantity = "velocity"});
+  const ChartPanelsStyle style = {.columns = 2, .width = 640};
+  EXPECT_TRUE(matches_baseline(render_chart_panels({history, family, parity, residual}, style),
+                               "chart_panels"));
+}
+
+TEST(FieldPanels, ColumnsWithTheirOwnBars) {
+  FrameStyle style = small_style();
+  style.width = 640;
+  style.height = 0;
+  style.columns = 2;
+  const std::vector<FieldPanel> fields = {{{"mean_stress", -1, "kPa"}}, {{"velocity", 0}}};
+  EXPECT_TRUE(
+      matches_baseline(render_field_panels(slumped_pile(0.6), fields, style), "field_panels"));
+}
+
+TEST(ModelFigure, PartsDimensionsAndPlaces) {
+  ModelStyle style = test::slope_style();
+  style.width = 640;
+  EXPECT_TRUE(matches_baseline(render_model(test::slope_frame(), style), "model_slope"));
+}
+
+TEST(LatticeFigure, FullAndCutPieces) {
+  LatticeStyle style = test::slope_lattice_style();
+  style.width = width;
+  EXPECT_TRUE(matches_baseline(render_lattice(test::slope_pieces(), style), "lattice"));
 }
 
 } // namespace scarp::render

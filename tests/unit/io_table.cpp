@@ -33,6 +33,15 @@ TEST(Table, ReadsCommentsHeaderAndNumbers) {
             "the table has no column 'z'; it has 'x_m' and 'z_m' (did you mean 'z_m'?)");
 }
 
+TEST(Table, ReadsWords) {
+  const fs::path file = write_file(fresh_directory() / "t.csv", "# source\nname,x_m\n\na b , 3\n");
+  const TextTable table = read_text_table(file);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"name", "x_m"}));
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"a b", "3"}));
+  EXPECT_EQ(table.lines, std::vector<int>{4});
+}
+
 TEST(Table, ReadsTheReferenceData) {
   const fs::path data = fs::path(SCARP_SOURCE_DIR) / "data" / "reference";
   EXPECT_EQ(read_table(data / "wu2017_table1.csv").rows(), 29U);

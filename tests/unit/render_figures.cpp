@@ -1,5 +1,6 @@
 // What figures say, looked at as data.
 #include "render/field.hpp"
+#include "render/field_panels.hpp"
 #include "render/frame_figure.hpp"
 #include "render/image.hpp"
 #include "render/line_chart.hpp"
@@ -7,6 +8,7 @@
 #include "render/plot_area.hpp"
 #include "render/ticks.hpp"
 #include "render/validation_figure.hpp"
+#include "tests/support/drawing_checks.hpp"
 #include "tests/support/hand_made_frames.hpp"
 
 #include <gtest/gtest.h>
@@ -18,30 +20,11 @@
 
 namespace scarp::render {
 
+using test::expect_nothing_clipped;
+using test::expect_words_apart;
+using test::says;
 using test::slumped_pile;
-
-namespace {
-
-bool says(const Drawing& drawing, const std::string& text) {
-  return std::any_of(drawing.texts.begin(), drawing.texts.end(),
-                     [&](const Words& words) { return words.text == text; });
-}
-
-/// Every word lies within the picture.
-void expect_nothing_clipped(const Drawing& drawing) {
-  for (const Words& words : drawing.texts) {
-    Point size = text_size(words);
-    if (words.upright) std::swap(size.x, size.y);
-    const double left = words.position.x - 0.5 * static_cast<int>(words.horizontal) * size.x;
-    const double low = words.position.y - 0.5 * static_cast<int>(words.vertical) * size.y;
-    EXPECT_GE(left, 0.0) << words.text;
-    EXPECT_GE(low, 0.0) << words.text;
-    EXPECT_LE(left + size.x, drawing.width) << words.text;
-    EXPECT_LE(low + size.y, drawing.height) << words.text;
-  }
-}
-
-} // namespace
+using test::words_of;
 
 TEST(Field, MagnitudesComponentsAndTheirErrors) {
   io::Frame frame = test::empty_frame(1.0, 2.0, 2.0);
@@ -57,6 +40,20 @@ TEST(Field, MagnitudesComponentsAndTheirErrors) {
   EXPECT_THROW(field_values(frame, {"stress"}), std::invalid_argument);
   EXPECT_THROW(field_values(frame, {"velocity", 3}), std::invalid_argument);
   EXPECT_THROW(field_values(frame, {"colour"}), std::runtime_error);
+}
+
+TEST(Field, StressComponentsInKilopascals) {
+  io::Frame frame = test::empty_frame(1.0, 2.0, 2.0);
+  test::add_point(frame, 0.5, 0.5, 1.0);
+  test::add_column(frame, "stress", 6, {-1e3, -2e3, -3e3, 0.0, 0.0, 500.0});
+  EXPECT_EQ(field_values(frame, {"stress", 2, "kPa"}), std::vector<double>{-3.0});
+  EXPECT_EQ(field_unit({"stress", 2, "kPa"}), "kPa");
+  EXPECT_EQ(field_label(frame, {"stress", 2, "kPa"}), "vertical stress");
+  EXPECT_EQ(field_label(frame, {"stress", 0}), "horizontal stress");
+  EXPECT_EQ(field_label(frame, {"stress", 5}), "shear stress");
+  EXPECT_THROW(field_values(frame, {"stress", 2, "mm"}), std::invalid_argument);
+  frame.dimension = 3;
+  EXPECT_EQ(field_label(frame, {"stress", 2}), "stress zz");
 }
 
 TEST(ColourRange, HasRoundBandsThatCoverTheValues) {
@@ -130,6 +127,50 @@ TEST(Panels, BearLettersTimesAndOneBar) {
   expect_nothing_clipped(drawing);
 }
 
+TEST(Panels, InColumnsShareAxesAndBar) {
+  const std::vector<io::Frame> frames = {slumped_pile(0.0), slumped_pile(0.25), slumped_pile(0.5),
+                                         slumped_pile(0.75), slumped_pile(1.0)};
+  FrameStyle style;
+  style.height = 0;
+  style.columns = 2;
+  const Drawing drawing = draw_panels(frames, style);
+  const Words a = words_of(drawing, "a)  t = 0.00 s");
+  const Words b = words_of(drawing, "b)  t = 0.15 s");
+  const Words e = words_of(drawing, "e)  t = 0.60 s");
+  EXPECT_EQ(a.position.y, b.position.y);
+  EXPECT_LT(a.position.x, b.position.x);
+  EXPECT_EQ(a.position.x, e.position.x);
+  const auto count = [&](const std::string& text) {
+    return std::count_if(drawing.texts.begin(), drawing.texts.end(),
+                         [&](const Words& words) { return words.text == text; });
+  };
+  EXPECT_EQ(count("x (m)"), 2); // below the last panel of each column
+  EXPECT_EQ(count("z (m)"), 3); // left of each row
+  EXPECT_EQ(count("equivalent plastic strain (-)"), 1);
+  expect_nothing_clipped(drawing);
+  expect_words_apart(drawing);
+}
+
+TEST(FieldPanels, EachHasItsOwnBar) {
+  const io::Frame frame = slumped_pile(1.0);
+  const std::vector<FieldPanel> fields = {
+      {{"mean_stress", -1, "kPa"}, "mean stress at the end"}, {{"velocity", 0}}, {{"region"}}};
+  for (const int columns : {1, 2, 3}) {
+    FrameStyle style;
+    style.height = 0;
+    style.columns = columns;
+    const Drawing drawing = draw_field_panels(frame, fields, style);
+    EXPECT_TRUE(says(drawing, "a)  mean stress at the end"));
+    EXPECT_TRUE(says(drawing, "mean stress (kPa)"));
+    EXPECT_TRUE(says(drawing, "b)  velocity x"));
+    EXPECT_TRUE(says(drawing, "velocity x (m/s)"));
+    EXPECT_TRUE(says(drawing, "c)  region"));
+    expect_nothing_clipped(drawing);
+    expect_words_apart(drawing);
+  }
+  EXPECT_THROW(draw_field_panels(frame, {}, {}), std::invalid_argument);
+}
+
 TEST(Panels, NothingIsClippedAtAnySize) {
   const std::vector<io::Frame> frames = {slumped_pile(1.0)};
   for (const int width : {320, 480, 1000, 1920, 3840}) {
@@ -152,6 +193,9 @@ TEST(Panels, RefuseWhatMakesNoPicture) {
   EXPECT_THROW(draw_panels(frames, style), std::invalid_argument);
   style = {};
   style.bands = 0;
+  EXPECT_THROW(draw_panels(frames, style), std::invalid_argument);
+  style = {};
+  style.columns = 0;
   EXPECT_THROW(draw_panels(frames, style), std::invalid_argument);
   style = {};
   style.width = 100000;
