@@ -17,7 +17,8 @@ struct Ending {
   int signal = 0;     ///< that ended it
 };
 
-/// `scarp ARGUMENTS...` with its output in a file.  It ends with this process, however that ends.
+/// `scarp ARGUMENTS...` with its output in a file.  It ends with the thread that made it, however
+/// that ends (PR_SET_PDEATHSIG): the main thread should.
 class ChildProcess {
  public:
   /// Throws std::system_error.

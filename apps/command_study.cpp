@@ -82,10 +82,9 @@ void add_study(CLI::App& program) {
       ->required();
   command->add_option("--jobs", options->run.jobs, "Runs side by side; default: one a processor")
       ->check(CLI::Range(1, 1024));
-  command
-      ->add_option("--threads", options->run.threads,
-                   "Threads of each run; default: the processors by the jobs")
-      ->check(CLI::Range(1, 1024));
+  command->add_option("--threads", options->run.threads, "Threads of each run")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   CLI::Option* shard = command->add_option(
       "--shard", options->shard,
       "I/N: only every N-th scenario, from the I-th on, for N calls on one or more machines");

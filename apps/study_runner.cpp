@@ -72,10 +72,7 @@ class StudyRun {
  public:
   StudyRun(const io::Study& study, const StudyPlan& plan, const StudyOptions& options)
       : study_(study), plan_(plan), options_(options) {
-    const int processors = omp_get_num_procs();
-    jobs_ = static_cast<std::size_t>(options.jobs > 0 ? options.jobs : processors);
-    threads_ =
-        options.threads > 0 ? options.threads : std::max(1, processors / static_cast<int>(jobs_));
+    jobs_ = static_cast<std::size_t>(options.jobs > 0 ? options.jobs : omp_get_num_procs());
     if (options.shard.count == 1) remove_partial_beginnings();
     for (std::size_t i = options.shard.index - 1; i < plan.runs.size(); i += options.shard.count)
       prepare(plan.runs[i]);
@@ -86,11 +83,11 @@ class StudyRun {
     for (;;) {
       start_tasks();
       if (count(Task::State::waiting) + count(Task::State::running) == 0) break;
+      show_progress();
       outcome_.signal = signals.wait(std::chrono::milliseconds(250));
       if (outcome_.signal != 0) break;
       for (Task& task : tasks_)
         if (task.state == Task::State::running && task.process->has_ended()) settle(task);
-      show_progress();
     }
     for (Task& task : tasks_) {
       if (task.state != Task::State::running) continue;
@@ -160,14 +157,16 @@ class StudyRun {
   }
 
   void start_tasks() {
+    std::size_t running = count(Task::State::running);
     for (Task& task : tasks_) {
-      if (count(Task::State::running) >= jobs_) return;
+      if (running >= jobs_) return;
       if (task.state != Task::State::waiting) continue;
       const Task* before = task.after ? &tasks_[*task.after] : nullptr;
       if (before != nullptr && before->state == Task::State::failed)
         fail(task, "its shared beginning failed: " + before->failure);
       else if (before == nullptr || before->state == Task::State::finished)
         start(task);
+      if (task.state == Task::State::running) ++running;
     }
   }
 
@@ -185,8 +184,8 @@ class StudyRun {
       io::write_atomically(task.arguments[1],
                            io::scene_to_toml(plan_.beginnings.at(task.folder.filename().string())));
     std::vector<std::string> arguments = task.arguments;
-    arguments.insert(arguments.end(),
-                     {"--out", task.partial().string(), "--threads", std::to_string(threads_)});
+    arguments.insert(arguments.end(), {"--out", task.partial().string(), "--threads",
+                                       std::to_string(options_.threads)});
     task.process = std::make_unique<ChildProcess>(arguments, task.partial() / "log.txt");
     task.state = Task::State::running;
   }
@@ -236,7 +235,6 @@ class StudyRun {
   const StudyPlan& plan_;
   const StudyOptions& options_;
   std::size_t jobs_;
-  int threads_;
   std::vector<Task> tasks_; ///< a beginning before the runs that wait for it
   std::map<std::string, std::size_t> beginning_tasks_;
   StudyOutcome outcome_;

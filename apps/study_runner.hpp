@@ -19,7 +19,7 @@ struct StudyShard {
 struct StudyOptions {
   std::filesystem::path out;
   int jobs = 0;    ///< runs side by side; 0: as many as there are processors
-  int threads = 0; ///< of each run; 0: the processors shared out among the runs
+  int threads = 1; ///< of each run
   StudyShard shard;
 };
 

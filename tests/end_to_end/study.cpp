@@ -133,9 +133,9 @@ TEST_F(Study, TellsOnATerminalHowFarItIs) {
       "script");
   const Result result = program.wait();
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.out.find("\r\033[K1/3 finished, 1 running, 0 failed, 0:0"), std::string::npos)
+  EXPECT_NE(result.out.find("\r\033[K1/3 finished, 1 running, 0 failed, "), std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find(" elapsed, about 0:0"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" elapsed, about "), std::string::npos) << result.out;
 }
 
 /// The others go on; it is tried again with the next call.
