@@ -4,7 +4,7 @@
 
 namespace scarp {
 
-template <int Dim> void CellOrder<Dim>::update(Particles<Dim>& particles) {
+template <int Dim, int corners> void CellOrder<Dim, corners>::update(Particles<Dim>& particles) {
   const std::size_t points = particles.size();
   const bool first = cell_of_.size() != points;
   if (first) cell_of_.assign(points, -1);
@@ -30,7 +30,7 @@ template <int Dim> void CellOrder<Dim>::update(Particles<Dim>& particles) {
 }
 
 /// Counting sort by cell, stable in the rows.
-template <int Dim> void CellOrder<Dim>::count_points(std::size_t points) {
+template <int Dim, int corners> void CellOrder<Dim, corners>::count_points(std::size_t points) {
   std::fill(count_.begin(), count_.end(), 0U);
   for (const int cell : cell_of_) ++count_[static_cast<std::size_t>(cell)];
 
@@ -53,7 +53,7 @@ template <int Dim> void CellOrder<Dim>::count_points(std::size_t points) {
     rows_[count_[static_cast<std::size_t>(cell_of_[p])]++] = static_cast<std::uint32_t>(p);
 }
 
-template <int Dim> void CellOrder<Dim>::reorder(Particles<Dim>& particles) {
+template <int Dim, int corners> void CellOrder<Dim, corners>::reorder(Particles<Dim>& particles) {
   const auto permute = [this](auto& column) {
     auto sorted = column;
     const auto n = static_cast<std::int64_t>(rows_.size());
@@ -70,22 +70,22 @@ template <int Dim> void CellOrder<Dim>::reorder(Particles<Dim>& particles) {
 
 /// A cell is known by its lowest node here: the cell of which node n is corner c has the lowest
 /// node n - corner_offset[c], and where there is no such cell, no cell ever has that one.
-template <int Dim> void CellOrder<Dim>::find_nodes() {
-  const int padding = grid_->corner_offset.back();
+template <int Dim, int corners> void CellOrder<Dim, corners>::find_nodes() {
+  const int padding = grid_->reach();
   const auto slot_at = [&](int node) -> int& {
     return slot_[static_cast<std::size_t>(node + padding)];
   };
   for (const int cell : previous_) {
     const int first = grid_->first_node(cell);
     slot_at(first) = -1;
-    for (const int offset : grid_->corner_offset)
-      active_[static_cast<std::size_t>(first + offset)] = 0;
+    for (std::size_t c = 0; c < corners; ++c)
+      active_[static_cast<std::size_t>(first + grid_->corner_offset[c])] = 0;
   }
   for (std::size_t s = 0; s < occupied_.size(); ++s) {
     const int first = grid_->first_node(occupied_[s]);
     slot_at(first) = static_cast<int>(s);
-    for (const int offset : grid_->corner_offset)
-      active_[static_cast<std::size_t>(first + offset)] = 1;
+    for (std::size_t c = 0; c < corners; ++c)
+      active_[static_cast<std::size_t>(first + grid_->corner_offset[c])] = 1;
   }
 
   nodes_.clear();
@@ -100,7 +100,11 @@ template <int Dim> void CellOrder<Dim>::find_nodes() {
   }
 }
 
-template class CellOrder<2>;
-template class CellOrder<3>;
+template class CellOrder<2, 4>;
+template class CellOrder<2, 9>;
+template class CellOrder<2, 16>;
+template class CellOrder<3, 8>;
+template class CellOrder<3, 27>;
+template class CellOrder<3, 64>;
 
 } // namespace scarp

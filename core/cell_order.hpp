@@ -15,10 +15,8 @@ namespace scarp {
 /// `rows` is brought up to date whenever a point has changed cell; the columns themselves are put
 /// into that order only once enough points have moved (`reorder_part`), since copying all state
 /// every step costs more than it saves.  Order depends on the state alone, never on threads.
-template <int Dim> class CellOrder {
+template <int Dim, int corners = 1 << Dim> class CellOrder {
  public:
-  static constexpr int corners = GridIndex<Dim>::corners;
-
   struct Node {
     int index;                     ///< in the grid
     std::array<int, corners> slot; ///< occupied cell of which this node is corner c, or -1
@@ -26,7 +24,7 @@ template <int Dim> class CellOrder {
 
   explicit CellOrder(const GridIndex<Dim>& grid)
       : grid_(&grid), count_(static_cast<std::size_t>(grid.cell_count) + 1),
-        slot_(static_cast<std::size_t>(grid.node_count + grid.corner_offset.back()), -1),
+        slot_(static_cast<std::size_t>(grid.node_count + grid.reach()), -1),
         active_(static_cast<std::size_t>(grid.node_count), 0) {}
 
   /// Assigns every point to its cell.  All points must lie in the grid.

@@ -2,6 +2,7 @@
 // momenta go back to the cells' corners in the same sweep.
 #pragma once
 
+#include "core/affine.hpp"
 #include "core/state.hpp"
 
 #include <algorithm>
@@ -19,8 +20,12 @@ struct Gathered {
 /// dx_p = dt sum_I N_I v_I
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
-template <int Dim, bool remap> Gathered gather_pass(State<Dim>& state, Real flip, Real dt) {
-  constexpr std::size_t corners = GridIndex<Dim>::corners;
+/// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
+/// N_I.
+template <int Dim, bool remap, class Shape>
+Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
+  constexpr std::size_t corners = State<Dim, Shape>::corners;
+  const bool affine = state.particles.affine();
   Particles<Dim>& points = state.particles;
   Real fastest2 = 0.0;
   std::uint32_t outside = no_point;
@@ -28,8 +33,7 @@ template <int Dim, bool remap> Gathered gather_pass(State<Dim>& state, Real flip
 #pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(min : outside)
   for (std::int64_t s = 0; s < n; ++s) {
     const auto slot = static_cast<std::size_t>(s);
-    const int cell = state.order.cell(slot);
-    const int first = state.grid.first_node(cell);
+    const int first = state.grid.first_node(state.order.cell(slot));
     std::array<Vec<Dim>, corners> v_I;
     std::array<Vec<Dim>, corners> dv_I;
     for (std::size_t c = 0; c < corners; ++c) {
@@ -39,11 +43,11 @@ template <int Dim, bool remap> Gathered gather_pass(State<Dim>& state, Real flip
       dv_I[c] = node.dv;
     }
     std::array<Vec<Dim>, corners> mv_I = {};
-    const Vec<Dim> corner = corner_of(state.grid, cell);
+    const StencilCell<Dim> cell = stencil_cell(state, slot);
 
     for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
       const std::size_t p = state.order.row(k);
-      const LinearShape<Dim> shape = shape_at(state, corner, p);
+      const Shape shape = shape_at(state, cell, p);
       Vec<Dim> v_grid = {};
       Vec<Dim> dv_grid = {};
       for (std::size_t c = 0; c < corners; ++c) {
@@ -64,7 +68,10 @@ template <int Dim, bool remap> Gathered gather_pass(State<Dim>& state, Real flip
       Vec<Dim> x_new;
       for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
       if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
+      if (affine) gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
       if constexpr (remap) {
+        if (affine)
+          add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
         const Real m = points.m[p];
         for (std::size_t c = 0; c < corners; ++c)
           for (std::size_t i = 0; i < Dim; ++i) mv_I[c][i] += m * v_p[i] * shape.N[c];

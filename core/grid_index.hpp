@@ -18,9 +18,23 @@ template <int Dim> constexpr std::size_t grid_axis(int scene_axis) {
   return static_cast<std::size_t>(Dim == 2 && scene_axis == 2 ? 1 : scene_axis);
 }
 
-/// Regular cells; both cells and nodes are numbered with x fastest.
+/// How the nodes that a point of a cell can reach lie, along each axis.
+/// corner: the two ends of the cell (linear functions). padded: these and the next ones on both
+/// sides (functions that reach half a point further), with a layer of nodes outside the grid.
+/// spline: three control points of quadratic B-splines, whose outermost one is on the grid's side.
+enum class NodeLayout { corner, padded, spline };
+
+constexpr int stencil_width(NodeLayout layout) {
+  return layout == NodeLayout::corner ? 2 : layout == NodeLayout::spline ? 3 : 4;
+}
+
+/// width^Dim
+constexpr int power(int width, int dim) { return dim == 0 ? 1 : width * power(width, dim - 1); }
+
+/// Regular cells; both cells and nodes are numbered with x fastest.  Along an axis, cell i reaches
+/// nodes i to i + width - 1.
 template <int Dim> struct GridIndex {
-  static constexpr int corners = 1 << Dim;
+  static constexpr int most_corners = power(4, Dim);
 
   Vec<Dim> lower;             ///< m
   Real h;                     ///< m, cell size
@@ -28,12 +42,18 @@ template <int Dim> struct GridIndex {
   std::array<int, Dim> cells; ///< along each axis
   std::array<int, Dim> cell_stride;
   std::array<int, Dim> node_stride;
-  std::array<int, corners>
-      corner_offset; ///< from a cell's lowest node; bit a of the corner: axis a
+  NodeLayout layout;
+  int width;                  ///< nodes that a cell reaches along an axis
+  std::array<int, Dim> nodes; ///< along each axis
+  int corners;                ///< nodes that a cell reaches: width^Dim
+  /// From a cell's lowest node; corner c is the (c / width^a mod width)-th along axis a.
+  std::array<int, most_corners> corner_offset = {};
   int cell_count;
   int node_count;
 
-  explicit GridIndex(const Grid& grid) : h(grid.cell_size), inv_h(1.0 / grid.cell_size) {
+  explicit GridIndex(const Grid& grid, NodeLayout node_layout = NodeLayout::corner)
+      : h(grid.cell_size), inv_h(1.0 / grid.cell_size), layout(node_layout),
+        width(stencil_width(node_layout)), corners(power(width, Dim)) {
     cell_count = node_count = 1;
     for (int a = 0; a < Dim; ++a) {
       const auto i = static_cast<std::size_t>(a);
@@ -42,14 +62,33 @@ template <int Dim> struct GridIndex {
       cell_stride[i] = cell_count;
       node_stride[i] = node_count;
       cell_count *= cells[i];
-      node_count *= cells[i] + 1;
+      nodes[i] = cells[i] + width - 1;
+      node_count *= nodes[i];
     }
-    for (int c = 0; c < corners; ++c) {
-      int offset = 0;
-      for (int a = 0; a < Dim; ++a)
-        if (c >> a & 1) offset += node_stride[static_cast<std::size_t>(a)];
-      corner_offset[static_cast<std::size_t>(c)] = offset;
+    for (int c = 0; c < corners; ++c)
+      for (int a = 0, rest = c; a < Dim; ++a, rest /= width)
+        corner_offset[static_cast<std::size_t>(c)] +=
+            rest % width * node_stride[static_cast<std::size_t>(a)];
+  }
+
+  /// The farthest node from a cell's lowest one.
+  int reach() const { return corner_offset[static_cast<std::size_t>(corners) - 1]; }
+
+  /// First and last of the nodes along an axis that hold the velocity on a plane between cells: on
+  /// the sides of the grid all that matter there, inside those that do not vanish on the plane.
+  std::array<int, 2> nodes_of_plane(std::size_t axis, int plane) const {
+    switch (layout) {
+    case NodeLayout::corner:
+      break;
+    case NodeLayout::padded:
+      return {plane == 0 ? 0 : plane + 1, plane == cells[axis] ? plane + 2 : plane + 1};
+    case NodeLayout::spline:
+      return {plane == 0             ? 0
+              : plane == cells[axis] ? plane + 1
+                                     : plane,
+              plane == 0 ? 0 : plane + 1};
     }
+    return {plane, plane};
   }
 
   /// Lowest node of a cell.

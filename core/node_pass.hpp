@@ -11,21 +11,24 @@
 namespace scarp {
 
 /// m_I and (m v)_I from the tiles, v_I = (m v)_I / m_I under the constraints (kept in v).
-template <int Dim> void gather_momentum_pass(State<Dim>& state, const Walls<Dim>& walls) {
-  for_each_node(state, [&](const typename CellOrder<Dim>::Node& at) {
+template <int Dim, class Shape>
+void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+  for_each_node(state, [&](const auto& at) {
     NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
     node.m = 0.0;
     Real V0 = 0.0;
     node.mv = {};
     for (std::size_t c = 0; c < at.slot.size(); ++c) {
       if (at.slot[c] < 0) continue;
-      const CellTile<Dim>& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
+      const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
       node.m += tile.m[c];
       V0 += tile.V0[c];
       for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[c][i];
     }
-    if (state.nodal.tracks_fraction)
-      node.fraction = V0 / state.nodal.volume[static_cast<std::size_t>(at.index)];
+    if (state.nodal.tracks_fraction) {
+      const Real volume = state.nodal.volume[static_cast<std::size_t>(at.index)];
+      node.fraction = volume > 0.0 && V0 > 0.0 ? V0 / volume : 1.0; // nodes beyond the grid: full
+    }
     const Real inv_m = node.m > 0.0 ? 1.0 / node.m : 0.0;
     for (std::size_t i = 0; i < Dim; ++i) node.v[i] = node.mv[i] * inv_m;
     walls.constrain(at.index, node.v);
@@ -36,15 +39,15 @@ template <int Dim> void gather_momentum_pass(State<Dim>& state, const Walls<Dim>
 /// v_I += dt (f_int + m g + f_damping)_I / m_I; keeps the change in dv for the FLIP increment.
 /// Local damping: each component of the unbalanced force loses the part `damping` of its size
 /// against the motion (Cundall 1987).
-template <int Dim>
-void advance_momentum_pass(State<Dim>& state, const Walls<Dim>& walls,
+template <int Dim, class Shape>
+void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
                            const std::type_identity_t<Vec<Dim>>& gravity, Real damping, Real dt) {
-  for_each_node(state, [&](const typename CellOrder<Dim>::Node& at) {
+  for_each_node(state, [&](const auto& at) {
     NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
     for (std::size_t i = 0; i < Dim; ++i) node.f[i] = node.m * gravity[i];
     for (std::size_t c = 0; c < at.slot.size(); ++c) {
       if (at.slot[c] < 0) continue;
-      const CellTile<Dim>& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
+      const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
       for (std::size_t i = 0; i < Dim; ++i) node.f[i] += tile.f[c][i];
     }
     Vec<Dim> drag = {};
@@ -70,13 +73,14 @@ void advance_momentum_pass(State<Dim>& state, const Walls<Dim>& walls,
 }
 
 /// MUSL: v_I from the points' updated momenta; masses and weights are those of the first mapping.
-template <int Dim> void remap_velocity_pass(State<Dim>& state, const Walls<Dim>& walls) {
-  for_each_node(state, [&](const typename CellOrder<Dim>::Node& at) {
+template <int Dim, class Shape>
+void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+  for_each_node(state, [&](const auto& at) {
     NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
     node.mv = {};
     for (std::size_t c = 0; c < at.slot.size(); ++c) {
       if (at.slot[c] < 0) continue;
-      const CellTile<Dim>& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
+      const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
       for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[c][i];
     }
     const Real inv_m = node.m > 0.0 ? 1.0 / node.m : 0.0;

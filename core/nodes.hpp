@@ -1,7 +1,7 @@
 // State of the background grid's nodes and what the passes over cells leave for them.
 #pragma once
 
-#include "core/grid_index.hpp"
+#include "core/stencil.hpp"
 #include "core/types.hpp"
 
 #include <cmath>
@@ -11,8 +11,7 @@ namespace scarp {
 
 /// What the points of one cell give its corners.  A node adds up the tiles of the cells around it
 /// in a fixed order, so no two threads ever write to the same place.
-template <int Dim> struct CellTile {
-  static constexpr int corners = 1 << Dim;
+template <int Dim, int corners> struct CellTile {
   std::array<Real, corners> m;      ///< kg
   std::array<Real, corners> V0;     ///< m3, of the unloaded material; only if it is tracked
   std::array<Vec<Dim>, corners> mv; ///< kg m/s
@@ -30,8 +29,8 @@ template <int Dim> struct NodeState {
   Real rubbed;   ///< J, taken by friction on walls in this step
 };
 
-template <int Dim> struct GridState {
-  std::vector<CellTile<Dim>> tiles;  ///< by occupied slot
+template <int Dim, class Shape> struct GridState {
+  std::vector<CellTile<Dim, Shape::nodes>> tiles; ///< by occupied slot
   std::vector<NodeState<Dim>> nodes; ///< by node index; only active nodes are meaningful
 
   /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
@@ -42,10 +41,16 @@ template <int Dim> struct GridState {
       : nodes(static_cast<std::size_t>(grid.node_count)), tracks_fraction(with_fraction) {
     if (!tracks_fraction) return;
     volume.assign(nodes.size(), 0.0);
-    const Real share = std::pow(grid.h, Dim) / CellTile<Dim>::corners;
-    for (int cell = 0; cell < grid.cell_count; ++cell)
-      for (const int offset : grid.corner_offset)
-        volume[static_cast<std::size_t>(grid.first_node(cell) + offset)] += share;
+    for (int index = 0; index < grid.cell_count; ++index) {
+      const StencilCell<Dim> cell(grid, index, 0.0);
+      for (std::size_t c = 0; c < Shape::nodes; ++c) {
+        const auto k = Shape::places(c);
+        Real share = std::pow(grid.h, Dim);
+        for (std::size_t a = 0; a < Dim; ++a)
+          share *= Shape::shares(cell.first[a], cell.last[a])[k[a]];
+        volume[static_cast<std::size_t>(grid.first_node(index) + grid.corner_offset[c])] += share;
+      }
+    }
   }
 };
 

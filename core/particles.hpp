@@ -21,12 +21,14 @@ template <int Dim> struct Particles {
   std::array<Column, Dim> v;                ///< m/s
   std::array<Column, Dim> dx;               ///< m, displacement of the current step
   std::array<Column, tensor_size<Dim>> tau; ///< Pa, Kirchhoff stress (see core/stress_pass.hpp)
-  Column m;                                 ///< kg (per metre of depth in plane strain)
-  Column V0;                                ///< m3 (m2 in plane strain), volume before loading
-  Column J;                                 ///< -, volume / V0
-  Column gap;                               ///< -, volumetric strain by which the point stands open
-  Column plastic_strain;                    ///< -, equivalent, deviatoric
-  Column dissipation;                       ///< J/m3 of V0, plastic work so far
+  /// 1/s, C[Dim i + j] = d v_i / d x_j around the point; empty unless transfers are affine
+  std::array<Column, static_cast<std::size_t>(Dim) * Dim> C;
+  Column m;              ///< kg (per metre of depth in plane strain)
+  Column V0;             ///< m3 (m2 in plane strain), volume before loading
+  Column J;              ///< -, volume / V0
+  Column gap;            ///< -, volumetric strain by which the point stands open
+  Column plastic_strain; ///< -, equivalent, deviatoric
+  Column dissipation;    ///< J/m3 of V0, plastic work so far
   std::vector<std::uint32_t> id;
   std::vector<std::uint8_t> material; ///< index into Scene::materials
   std::vector<std::uint8_t> region;   ///< index into Scene::regions
@@ -36,12 +38,16 @@ template <int Dim> struct Particles {
   Vec<Dim> position(std::size_t p) const { return at(x, p); }
   Vec<Dim> velocity(std::size_t p) const { return at(v, p); }
 
-  /// Calls visit(column) for every column, whatever its type.
+  bool affine() const { return !C[0].empty(); }
+
+  /// Calls visit(column) for every column in use, whatever its type.
   template <class Visit> void for_each_column(Visit&& visit) {
     for (auto& column : x) visit(column);
     for (auto& column : v) visit(column);
     for (auto& column : dx) visit(column);
     for (auto& column : tau) visit(column);
+    if (affine())
+      for (auto& column : C) visit(column);
     visit(m);
     visit(V0);
     visit(J);

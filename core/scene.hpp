@@ -92,9 +92,24 @@ struct Grid {
   std::array<std::array<Wall, 2>, 3> walls = {};
 };
 
+/// Shape functions of the grid: linear; uniform GIMP (core/gimp_shape.hpp); quadratic B-splines
+/// (core/spline_shape.hpp).
+enum class ShapeFunctions { linear, gimp, bspline };
+
+/// What points and nodes exchange.  flip: velocities, a blend of FLIP and PIC. apic: velocities and
+/// their gradients around the points (core/affine.hpp), no FLIP. aflip: these with a part of FLIP.
+enum class VelocityTransfer { flip, apic, aflip };
+
+/// The rate of volume of a point: its own, or the mean of its cell (core/stress_pass.hpp).
+enum class VolumeRate { point, cell_average };
+
 struct Method {
   Scheme scheme = Scheme::musl;
-  double flip = 1.0;          ///< part of FLIP in the velocity update, 1 - flip of PIC
+  ShapeFunctions shape = ShapeFunctions::linear;
+  VolumeRate volume_rate = VolumeRate::point;
+  VelocityTransfer transfer = VelocityTransfer::flip;
+  /// Part of FLIP in the velocity update, 1 - flip of PIC; no part of it in VelocityTransfer::apic.
+  double flip = 1.0;
   double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1
   /// The same while a gate has still to open, so that what it holds comes to rest; the larger of
   /// the two counts.

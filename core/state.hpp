@@ -12,52 +12,81 @@
 
 namespace scarp {
 
-template <int Dim> struct State {
+template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
+  using Shape = ShapeFunctions;
+  static constexpr std::size_t corners = Shape::nodes;
+
   GridIndex<Dim> grid;
+  Real half_point; ///< half the length of a point, in cells
   Particles<Dim> particles;
-  CellOrder<Dim> order;
-  GridState<Dim> nodal;
+  CellOrder<Dim, Shape::nodes> order;
+  GridState<Dim, Shape> nodal;
+  /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
+  bool averages_volume = false;
 
   State(const Grid& scene_grid, Particles<Dim> points, bool tracks_fraction = false)
-      : grid(scene_grid), particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {}
+      : grid(scene_grid, Shape::layout), half_point(0.5 / scene_grid.points_per_cell),
+        particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {}
   State(const State&) = delete; // `order` points to `grid`
   State& operator=(const State&) = delete;
 };
 
 /// Calls visit(slot) for every occupied cell, on all threads.
-template <int Dim, class Visit> void for_each_cell(const State<Dim>& state, Visit&& visit) {
+template <int Dim, class Shape, class Visit>
+void for_each_cell(const State<Dim, Shape>& state, Visit&& visit) {
   const auto n = static_cast<std::int64_t>(state.order.cells());
 #pragma omp parallel for schedule(static)
   for (std::int64_t s = 0; s < n; ++s) visit(static_cast<std::size_t>(s));
 }
 
 /// Calls visit(node) for every active CellOrder::Node, on all threads.
-template <int Dim, class Visit> void for_each_node(const State<Dim>& state, Visit&& visit) {
+template <int Dim, class Shape, class Visit>
+void for_each_node(const State<Dim, Shape>& state, Visit&& visit) {
   const auto n = static_cast<std::int64_t>(state.order.nodes().size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t k = 0; k < n; ++k) visit(state.order.nodes()[static_cast<std::size_t>(k)]);
 }
 
-/// Shape functions of a cell's corners at row p; `corner` is the cell's lowest corner in cells.
-template <int Dim>
-[[gnu::always_inline]] inline LinearShape<Dim>
-shape_at(const State<Dim>& state, const std::type_identity_t<Vec<Dim>>& corner, std::size_t p) {
-  Vec<Dim> xi;
-  for (std::size_t i = 0; i < Dim; ++i)
-    xi[i] = state.grid.scaled(state.particles.x[i][p], i) - corner[i];
-  return LinearShape<Dim>(xi, state.grid.inv_h);
+/// What the points of an occupied cell share in their shape functions.
+template <int Dim, class Shape>
+StencilCell<Dim> stencil_cell(const State<Dim, Shape>& state, std::size_t slot) {
+  return StencilCell<Dim>(state.grid, state.order.cell(slot), state.half_point);
 }
 
-/// Lowest corner of a cell, in cells from the grid's lower corner.
-template <int Dim> Vec<Dim> corner_of(const GridIndex<Dim>& grid, int cell) {
-  Vec<Dim> corner;
-  for (int a = Dim - 1; a >= 0; --a) {
-    const auto i = static_cast<std::size_t>(a);
-    const int along = cell / grid.cell_stride[i];
-    corner[i] = along;
-    cell %= grid.cell_stride[i];
+/// Where row p lies in its cell, each component in [0, 1).
+template <int Dim, class Shape>
+[[gnu::always_inline]] inline Vec<Dim>
+local_position(const State<Dim, Shape>& state, const std::type_identity_t<StencilCell<Dim>>& cell,
+               std::size_t p) {
+  Vec<Dim> xi;
+  for (std::size_t i = 0; i < Dim; ++i)
+    xi[i] = state.grid.scaled(state.particles.x[i][p], i) - cell.corner[i];
+  return xi;
+}
+
+/// Shape functions at row p.
+template <int Dim, class Shape>
+[[gnu::always_inline]] inline Shape shape_at(const State<Dim, Shape>& state,
+                                             const std::type_identity_t<StencilCell<Dim>>& cell,
+                                             std::size_t p) {
+  return Shape(local_position(state, cell, p), cell);
+}
+
+/// Pa, of the Kirchhoff stress.
+template <int Dim> Real mean_stress(const Particles<Dim>& points, std::size_t p) {
+  return (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) * (1.0 / 3.0);
+}
+
+/// Mean of a value of the rows in a cell, with their volumes before loading as weights.
+template <int Dim, class Shape, class Value>
+Real cell_mean(const State<Dim, Shape>& state, std::size_t slot, Value&& value) {
+  Real sum = 0.0, weight = 0.0;
+  for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+    const std::size_t p = state.order.row(k);
+    sum += state.particles.V0[p] * value(p);
+    weight += state.particles.V0[p];
   }
-  return corner;
+  return sum / weight;
 }
 
 } // namespace scarp

@@ -7,6 +7,13 @@
 // no volume change can create energy.  Writing the law for sigma with the current volume V instead
 // makes a point's stiffness grow with V: a point that has opened in tension by a factor J has the
 // wave speed sqrt(J) c, which breaks the step's CFL condition and throws the point.
+//
+// Cell averages.  Points in a cell whose material keeps its volume over-constrain its nodes:
+// volumetric locking.  With the rate of volume averaged over the cell's points,
+//   d -> d + (mean(tr d) - tr d) / 3 I,   mean(a) = sum_p V0_p a_p / sum_p V0_p,
+// there is one constraint a cell (B-bar, Hughes 1980, doi 10.1002/nme.1620150914, with the points
+// for a rule).  The power sum_p V0_p tau_p : d_p is then that of the force in which the mean stress
+// of every point is the cell's mean(p): again adjoint, again no energy from nothing.
 #pragma once
 
 #include "core/drucker_prager.hpp"
@@ -57,12 +64,13 @@ void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
   }
 }
 
-/// Stress after the strain increment dt sym(grad_v) and spin dt skw(grad_v): elastic trial, then
-/// the law's return.  Returns what was irreversible. `gap` and `room`: see core/drucker_prager.hpp.
+/// Stress after the strain increment dt (sym(grad_v) + dilation / 3 I) and spin dt skw(grad_v):
+/// elastic trial, then the law's return.  Returns what was irreversible.  `gap` and `room`: see
+/// core/drucker_prager.hpp.
 template <int Dim, class T = Real, class Law>
 PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
-                             const Mat<Dim, T>& grad_v, Real dt, const ElasticModuli& moduli,
-                             const Law& law) {
+                             const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation,
+                             Real dt, const ElasticModuli& moduli, const Law& law) {
   const auto spin = [&](std::size_t i, std::size_t j) -> T {
     return 0.5 * dt * (grad_v[i][j] - grad_v[j][i]);
   };
@@ -73,7 +81,8 @@ PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_ide
 
   T volumetric = 0.0;
   for (std::size_t i = 0; i < Dim; ++i) volumetric += dt * grad_v[i][i];
-  const T lame = (moduli.bulk - 2.0 / 3.0 * moduli.shear) * volumetric;
+  const T lame =
+      (moduli.bulk - 2.0 / 3.0 * moduli.shear) * volumetric + moduli.bulk * dt * dilation;
   for (std::size_t i = 0; i < 3; ++i) tau[i] += lame;
   for (std::size_t i = 0; i < Dim; ++i) {
     tau[i] += 2.0 * moduli.shear * dt * grad_v[i][i];
@@ -89,7 +98,7 @@ template <int Dim, class T = Real, class Law>
 PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, Real dt,
                              const ElasticModuli& moduli, const Law& law) {
   T gap = 0.0;
-  return update_stress<Dim, T>(tau, gap, T(0.0), grad_v, dt, moduli, law);
+  return update_stress<Dim, T>(tau, gap, T(0.0), grad_v, T(0.0), dt, moduli, law);
 }
 
 /// Several points in the lanes of one register.
@@ -103,6 +112,7 @@ template <int Dim> struct StressBatch {
   bool opens = false; ///< whether the law remembers gaps; `gap` and `room` are 0 otherwise
   std::array<std::uint32_t, capacity> row = {};
   Mat<Dim, Lanes> grad_v = {};
+  Lanes dilation = {}; ///< 1/s, rate of volume beyond tr(grad_v); 0 without cell averages
   SymTensor<Dim, Lanes> tau = {};
   Lanes strain = {};
   Lanes dissipation = {};
@@ -125,8 +135,9 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_from(&batch.tau[i][k], plain);
     RealPack gap(&batch.gap[k], plain);
     const RealPack room(&batch.room[k], plain);
+    const RealPack dilation(&batch.dilation[k], plain);
     const PlasticStep<RealPack> plastic =
-        update_stress<Dim, RealPack>(tau, gap, room, grad_v, dt, moduli, law);
+        update_stress<Dim, RealPack>(tau, gap, room, grad_v, dilation, dt, moduli, law);
     gap.copy_to(&batch.gap[k], plain);
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_to(&batch.tau[i][k], plain);
     plastic.strain.copy_to(&batch.strain[k], plain);
@@ -140,7 +151,7 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
     points.plastic_strain[p] += batch.strain[k];
     if (batch.opens) points.gap[p] = batch.gap[k];
     points.dissipation[p] += batch.dissipation[k];
-    Real volumetric = 0.0;
+    Real volumetric = batch.dilation[k];
     for (std::size_t i = 0; i < Dim; ++i) volumetric += batch.grad_v[i][i][k];
     points.J[p] *= 1.0 + dt * volumetric;
   }
@@ -149,10 +160,10 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
 
 /// All points of one material (which remembers gaps, if it `opens`), with grad v = sum_I v_I (x)
 /// grad N_I of the nodes' present velocities.
-template <int Dim, class Law>
-void stress_pass(State<Dim>& state, std::uint8_t material, const ElasticModuli& moduli,
+template <int Dim, class Law, class Shape>
+void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
                  const Law& law, bool opens, Real dt) {
-  constexpr std::size_t corners = GridIndex<Dim>::corners;
+  constexpr std::size_t corners = State<Dim, Shape>::corners;
   Particles<Dim>& points = state.particles;
   const auto cells = static_cast<std::int64_t>(state.order.cells());
 #pragma omp parallel
@@ -162,8 +173,7 @@ void stress_pass(State<Dim>& state, std::uint8_t material, const ElasticModuli& 
 #pragma omp for schedule(static) nowait
     for (std::int64_t s = 0; s < cells; ++s) {
       const auto slot = static_cast<std::size_t>(s);
-      const int cell = state.order.cell(slot);
-      const int first = state.grid.first_node(cell);
+      const int first = state.grid.first_node(state.order.cell(slot));
       std::array<Vec<Dim>, corners> v_I;
       std::array<Real, corners> fraction_I;
       for (std::size_t c = 0; c < corners; ++c) {
@@ -171,16 +181,32 @@ void stress_pass(State<Dim>& state, std::uint8_t material, const ElasticModuli& 
         v_I[c] = state.nodal.nodes[node].v;
         fraction_I[c] = state.nodal.nodes[node].fraction;
       }
-      const Vec<Dim> corner = corner_of(state.grid, cell);
-
-      for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-        const std::uint32_t p = state.order.row(k);
-        if (points.material[p] != material) continue;
-        const LinearShape<Dim> shape = shape_at(state, corner, p);
+      const StencilCell<Dim> cell = stencil_cell(state, slot);
+      const auto gradient = [&](const Shape& shape) {
         Mat<Dim> grad_v = {};
         for (std::size_t c = 0; c < corners; ++c)
           for (std::size_t i = 0; i < Dim; ++i)
             for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += v_I[c][i] * shape.dN[c][j];
+        return grad_v;
+      };
+      const auto divergence = [&](std::size_t p) {
+        const Mat<Dim> grad_v = gradient(shape_at(state, cell, p));
+        Real sum = 0.0;
+        for (std::size_t i = 0; i < Dim; ++i) sum += grad_v[i][i];
+        return sum;
+      };
+      const Real mean_rate = state.averages_volume ? cell_mean(state, slot, divergence) : 0.0;
+
+      for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+        const std::uint32_t p = state.order.row(k);
+        if (points.material[p] != material) continue;
+        const Shape shape = shape_at(state, cell, p);
+        const Mat<Dim> grad_v = gradient(shape);
+        if (state.averages_volume) {
+          Real own = 0.0;
+          for (std::size_t i = 0; i < Dim; ++i) own += grad_v[i][i];
+          batch.dilation[batch.size] = mean_rate - own;
+        }
         for (std::size_t i = 0; i < Dim; ++i)
           for (std::size_t j = 0; j < Dim; ++j) batch.grad_v[i][j][batch.size] = grad_v[i][j];
         if (opens) {

@@ -44,9 +44,11 @@ template <int Dim> void Walls<Dim>::rebuild(double time) {
   friction_sides_.clear();
 
   const auto for_each_node_on = [this](std::size_t axis, int plane, auto&& visit) {
-    for (int node = 0; node < grid_->node_count; ++node)
-      if (node / grid_->node_stride[axis] % (grid_->cells[axis] + 1) == plane)
-        visit(static_cast<std::size_t>(node));
+    const auto [first, last] = grid_->nodes_of_plane(axis, plane);
+    for (int node = 0; node < grid_->node_count; ++node) {
+      const int along = node / grid_->node_stride[axis] % grid_->nodes[axis];
+      if (along >= first && along <= last) visit(static_cast<std::size_t>(node));
+    }
   };
   const auto bit = [](std::size_t i) { return static_cast<std::uint8_t>(1U << i); };
 

@@ -165,6 +165,14 @@ void check_stages(const Scene& scene, SceneReport& report) {
   }
 }
 
+void check_method(const Method& method, SceneReport& report) {
+  if (report.usable({"method.transfer", "method.shape"}) &&
+      method.transfer != VelocityTransfer::flip && method.shape == ShapeFunctions::linear)
+    report.problem("method.transfer",
+                   "is affine with linear shape functions, whose gradients jump between cells: "
+                   "slides blow up; must be 'flip' unless method.shape is 'bspline' or 'gimp'");
+}
+
 template <typename Item>
 void check_names(const std::string& section, const std::vector<Item>& items, SceneReport& report) {
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -323,6 +331,7 @@ void check_monitors(const Scene& scene, SceneReport& report) {
 void check_scene(const Scene& scene, SceneReport& report) {
   check_grid(scene.grid, report);
   check_time(scene, report);
+  check_method(scene.method, report);
   check_names("material", scene.materials, report);
   check_names("region", scene.regions, report);
   check_names("gate", scene.gates, report);

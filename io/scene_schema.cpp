@@ -118,8 +118,26 @@ Section<Method> method_section() {
               {{"usf", Scheme::usf}, {"usl", Scheme::usl}, {"musl", Scheme::musl}},
               "When stress is updated: before the momentum (usf), after it (usl), or after it with "
               "the points' new momenta mapped to the grid again (musl)."),
+          word<Method, ShapeFunctions>("shape", &Method::shape,
+                                       {{"linear", ShapeFunctions::linear},
+                                        {"gimp", ShapeFunctions::gimp},
+                                        {"bspline", ShapeFunctions::bspline}},
+                                       "Shape functions of the grid: linear, uniform GIMP, or "
+                                       "quadratic B-splines."),
+          word<Method, VolumeRate>(
+              "volume_rate", &Method::volume_rate,
+              {{"point", VolumeRate::point}, {"cell_average", VolumeRate::cell_average}},
+              "The rate of volume of a point: its own, or the mean of its "
+              "cell, against volumetric locking."),
+          word<Method, VelocityTransfer>(
+              "transfer", &Method::transfer,
+              {{"flip", VelocityTransfer::flip},
+               {"apic", VelocityTransfer::apic},
+               {"aflip", VelocityTransfer::aflip}},
+              "What points and nodes exchange: velocities (flip), these with "
+              "their gradients and no FLIP (apic), or both (aflip)."),
           number<Method>("flip", "", &Method::flip, {.at_least = 0, .at_most = 1},
-                         "Part of FLIP in the velocity update; the rest is PIC."),
+                         "Part of FLIP in the velocity update; the rest is PIC. Not used by apic."),
           number<Method>("local_damping", "", &Method::local_damping, {.at_least = 0, .below = 1},
                          "Cundall's non-viscous damping of the nodal forces."),
           number<Method>("settling_damping", "", &Method::settling_damping,

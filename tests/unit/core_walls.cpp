@@ -52,6 +52,30 @@ Wall friction(double coefficient) { return {WallKind::friction, coefficient}; }
 
 } // namespace
 
+/// Nodes that a fixed left side and a gate at x = 2 hold along x, by layout of the nodes.
+TEST(Walls, HoldTheNodesThatMatterOnTheirPlane) {
+  Scene scene = scene_2d();
+  scene.grid.walls[0][0].kind = WallKind::fixed;
+  scene.grid.walls[0][1].kind = WallKind::symmetry;
+  scene.gates = {{"gate", 0, 2.0, 1.0}};
+  const auto held = [&](NodeLayout layout) {
+    const GridIndex<2> grid(scene.grid, layout);
+    const Walls<2> walls(scene, grid);
+    std::vector<int> along;
+    for (int i = 0; i < grid.nodes[0]; ++i) {
+      Vec<2> v = {1.0, 1.0};
+      walls.constrain(i + grid.node_stride[1], v);
+      if (v[0] == 0.0) along.push_back(i);
+    }
+    return along;
+  };
+  EXPECT_EQ(held(NodeLayout::corner), (std::vector<int>{0, 2, 4}));
+  EXPECT_EQ(held(NodeLayout::padded), (std::vector<int>{0, 1, 3, 5, 6}))
+      << "node 1 is on the side, node 0 beyond it";
+  EXPECT_EQ(held(NodeLayout::spline), (std::vector<int>{0, 2, 3, 5}))
+      << "two control points hold an inner plane";
+}
+
 TEST(Walls, FreeSidesDoNothing) {
   const Fixture<2> free(scene_2d());
   for (int at = 0; at < 20; ++at) {

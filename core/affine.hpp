@@ -1,0 +1,74 @@
+// Weights of affine transfers (APIC): v(x) = v_p + C_p (x - x_p) around a point.
+#pragma once
+
+#include "core/particles.hpp"
+#include "core/stencil.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace scarp {
+
+/// With r_I = x_I - x_p: C_p = sum_I v_I (x) q_I, q_I = N_I D_p^-1 r_I, D_p = sum_I N_I r_I (x) r_I
+/// (Jiang et al. 2015, doi 10.1145/2766996), which is diagonal for products of functions that
+/// reproduce linear ones.  Linear functions give q_I = grad N_I.
+template <int Dim, class Shape> struct AffineWeights {
+  std::array<Vec<Dim>, Shape::nodes> r; ///< m
+  std::array<Vec<Dim>, Shape::nodes> q; ///< 1/m
+
+  AffineWeights(const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell) {
+    typename Shape::Along along_r, along_q;
+    for (std::size_t a = 0; a < Dim; ++a) {
+      const auto places = Shape::positions(cell.first[a], cell.last[a]);
+      Real D = 0.0;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        along_r[a][k] = places[k] - xi[a];
+        D += shape.w[a][k] * along_r[a][k] * along_r[a][k];
+      }
+      const Real inv_D = 1.0 / std::max(D, std::numeric_limits<Real>::min());
+      for (std::size_t k = 0; k < places.size(); ++k)
+        along_q[a][k] = Shape::layout == NodeLayout::corner
+                            ? (k == 0 ? -cell.inv_h : cell.inv_h)
+                            : shape.w[a][k] * along_r[a][k] * inv_D * cell.inv_h;
+    }
+    for (std::size_t c = 0; c < Shape::nodes; ++c) {
+      const auto k = Shape::places(c);
+      for (std::size_t a = 0; a < Dim; ++a) {
+        r[c][a] = along_r[a][k[a]] * cell.h;
+        q[c][a] = along_q[a][k[a]];
+        for (std::size_t b = 0; b < Dim; ++b)
+          if (b != a) q[c][a] *= shape.w[b][k[b]];
+      }
+    }
+  }
+};
+
+/// mv_I += m_p C_p r_I N_I
+template <int Dim, class Shape>
+void add_affine_momentum(std::array<Vec<Dim>, Shape::nodes>& mv, const Particles<Dim>& points,
+                         const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
+                         std::size_t p) {
+  const AffineWeights<Dim, Shape> weights(shape, xi, cell);
+  for (std::size_t c = 0; c < Shape::nodes; ++c)
+    for (std::size_t i = 0; i < Dim; ++i) {
+      Real v = 0.0;
+      for (std::size_t j = 0; j < Dim; ++j) v += points.C[Dim * i + j][p] * weights.r[c][j];
+      mv[c][i] += points.m[p] * shape.N[c] * v;
+    }
+}
+
+/// C_p = sum_I v_I (x) q_I
+template <int Dim, class Shape>
+void gather_affine(Particles<Dim>& points, const std::array<Vec<Dim>, Shape::nodes>& v_I,
+                   const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
+                   std::size_t p) {
+  const AffineWeights<Dim, Shape> weights(shape, xi, cell);
+  for (std::size_t i = 0; i < Dim; ++i)
+    for (std::size_t j = 0; j < Dim; ++j) {
+      Real sum = 0.0;
+      for (std::size_t c = 0; c < Shape::nodes; ++c) sum += v_I[c][i] * weights.q[c][j];
+      points.C[Dim * i + j][p] = sum;
+    }
+}
+
+} // namespace scarp

@@ -1,0 +1,12 @@
+// The solvers there are, by shape functions; one file each.
+#pragma once
+
+#include "core/simulation.hpp"
+
+namespace scarp {
+
+std::unique_ptr<Simulation> make_linear_simulation(const Scene& scene, const Snapshot* start);
+std::unique_ptr<Simulation> make_gimp_simulation(const Scene& scene, const Snapshot* start);
+std::unique_ptr<Simulation> make_spline_simulation(const Scene& scene, const Snapshot* start);
+
+} // namespace scarp

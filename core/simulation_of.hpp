@@ -1,0 +1,510 @@
+// The solver behind core/simulation.hpp, for a dimension and shape functions.  Instantiated in
+// core/simulation_*.cpp, one file a shape function.
+#pragma once
+
+#include "core/simulation.hpp"
+
+#include "core/fields.hpp"
+#include "core/gather_pass.hpp"
+#include "core/lattice.hpp"
+#include "core/loads.hpp"
+#include "core/node_pass.hpp"
+#include "core/scatter_pass.hpp"
+#include "core/stress_pass.hpp"
+#include "core/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <variant>
+
+namespace scarp {
+
+using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate>;
+
+/// A material with everything that its constants give, worked out once.
+struct MaterialModel {
+  ElasticModuli moduli;
+  Real wave_speed; ///< m/s, of the unloaded material
+  AnyUpdate update;
+  bool opens = false; ///< remembers gaps
+
+  explicit MaterialModel(const Material& material)
+      : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
+        wave_speed(std::sqrt(moduli.p_wave() / material.density)) {
+    if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
+      update = DruckerPragerUpdate::from(*law, moduli);
+      opens = law->opening == Opening::remembered;
+    }
+  }
+};
+
+inline bool remembers_gaps(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    const auto* law = std::get_if<DruckerPrager>(&material.law);
+    return law && law->opening == Opening::remembered;
+  });
+}
+
+inline std::vector<Stage> stages_of(const Scene& scene) {
+  if (!scene.stages.empty()) return scene.stages;
+  Stage only;
+  only.duration = scene.timing.end_time;
+  only.until_rest = scene.timing.rest_energy_fraction > 0.0;
+  return {only};
+}
+
+/// Where the core's stress components stand among xx yy zz xy yz xz of the scene's axes.
+template <int Dim>
+constexpr std::array<std::size_t, tensor_size<Dim>> stress_place = [] {
+  if constexpr (Dim == 2)
+    return std::array<std::size_t, 4>{0, 2, 1, 5};
+  else
+    return std::array<std::size_t, 6>{0, 1, 2, 3, 4, 5};
+}();
+
+template <int Dim, class Shape> class SimulationOf final : public Simulation {
+ public:
+  SimulationOf(const Scene& scene, const Snapshot* start)
+      : scene_(scene), stages_(stages_of(scene)),
+        state_(scene.grid, fill_regions<Dim>(scene), remembers_gaps(scene)),
+        walls_(scene, state_.grid), loads_(scene) {
+    for (const Material& material : scene.materials) materials_.emplace_back(material);
+    start_positions_ = positions();
+    state_.averages_volume = scene.method.volume_rate == VolumeRate::cell_average;
+    if (scene.method.transfer != VelocityTransfer::flip)
+      for (Column& column : state_.particles.C) column.assign(points(), 0.0);
+    const auto continued =
+        std::ranges::find_if(stages_, [](const Stage& stage) { return !stage.begin_from.empty(); });
+    if ((continued != stages_.end()) != (start != nullptr))
+      throw SetupError(start ? "no stage begins from another run's state"
+                             : "stage '" + continued->name + "' begins from '" +
+                                   continued->begin_from + "', and there is no such state");
+    if (start) take_over(*start);
+    begin_stage(start ? static_cast<std::size_t>(continued - stages_.begin()) : 0);
+    state_.order.update(state_.particles);
+    for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
+    loads_.settle(state_.particles);
+    start_ = energies();
+  }
+
+  double step(double until) override {
+    const auto [dt, end] = next_step(until);
+    const Scheme scheme = scene_.method.scheme;
+    walls_.open_gates(time_);
+    if (loads_.vary()) loads_.update(time_);
+    state_.order.update(state_.particles);
+
+    if (scheme == Scheme::usf) {
+      scatter_pass<Dim, Terms::mass_momentum>(state_);
+      gather_momentum_pass(state_, walls_);
+      update_stress_of_all(dt);
+      scatter_pass<Dim, Terms::force>(state_, loads_.own());
+    } else {
+      scatter_pass<Dim, Terms::all>(state_, loads_.own());
+      gather_momentum_pass(state_, walls_);
+    }
+    advance_momentum_pass(state_, walls_, loads_.common(), damping(), dt);
+    add_up_losses();
+
+    if (scheme == Scheme::musl) {
+      check_positions(gather_pass<Dim, true>(state_, flip(), dt));
+      remap_velocity_pass(state_, walls_);
+    } else {
+      check_positions(gather_pass<Dim, false>(state_, flip(), dt));
+    }
+    if (scheme != Scheme::usf) update_stress_of_all(dt);
+    check_volumes();
+
+    move_points();
+    if (loads_.vary()) loads_.settle(state_.particles);
+    time_ = end;
+    ++steps_;
+    return dt;
+  }
+
+  int dimension() const override { return Dim; }
+  double time() const override { return time_; }
+  long steps() const override { return steps_; }
+  std::size_t points() const override { return state_.particles.size(); }
+  std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
+  std::size_t occupied_cells() const override { return state_.order.cells(); }
+
+  bool waits_for_gate() const override { return std::isfinite(walls_.next_opening(time_)); }
+
+  const Stage& stage() const override { return stages_[stage_]; }
+  double stage_end() const override { return stage_start_ + stages_[stage_].duration; }
+  bool in_last_stage() const override { return stage_ + 1 == stages_.size(); }
+
+  void next_stage() override {
+    if (in_last_stage()) throw std::logic_error("next_stage: there is none");
+    loads_.settle(state_.particles);
+    begin_stage(stage_ + 1);
+  }
+
+  double stable_time_step() const override {
+    Real wave_speed = 0.0;
+    for (const std::uint8_t material : material_of_region_)
+      wave_speed = std::max(wave_speed, materials_[material].wave_speed);
+    return std::min(scene_.timing.max_time_step,
+                    scene_.timing.cfl * state_.grid.h / (wave_speed + fastest_));
+  }
+
+  Energies energies() const override;
+
+  double front() const override {
+    const std::vector<std::string>& names = scene_.output.front_regions;
+    std::vector<std::uint8_t> counts;
+    for (const Region& region : scene_.regions)
+      counts.push_back(names.empty() || std::ranges::find(names, region.name) != names.end());
+    Real front = -std::numeric_limits<Real>::infinity();
+    for (std::size_t p = 0; p < points(); ++p)
+      if (counts[state_.particles.region[p]]) front = std::max(front, state_.particles.x[0][p]);
+    return front;
+  }
+
+  std::vector<PlanLine> plan() const override;
+  std::vector<double> positions() const override;
+  std::vector<double> field(const std::string& name) const override;
+
+  std::size_t nearest_point(const std::array<double, 3>& place) const override {
+    std::size_t nearest = 0;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (std::size_t p = 0; p < points(); ++p) {
+      Real distance2 = 0.0;
+      for (int a = 0; a < Dim; ++a) {
+        const std::size_t i = scene_axis<Dim>(a);
+        const Real d = start_positions_[3 * p + i] - place[i];
+        distance2 += d * d;
+      }
+      if (distance2 < least) {
+        least = distance2;
+        nearest = p;
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  struct NextStep {
+    double dt;   ///< s
+    double time; ///< s, at its end
+  };
+
+  void begin_stage(std::size_t stage) {
+    stage_ = stage;
+    stage_start_ = time_;
+    loads_.begin_stage(stages_[stage], time_);
+    material_of_region_.clear();
+    for (const Region& region : scene_.regions) {
+      const auto changed = stages_[stage].material.find(region.name);
+      const bool own = changed == stages_[stage].material.end();
+      material_of_region_.push_back(static_cast<std::uint8_t>(
+          material_index(scene_, region, own ? region.material : changed->second)));
+    }
+    Particles<Dim>& points = state_.particles;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      points.material[p] = material_of_region_[points.region[p]];
+  }
+
+  void take_over(const Snapshot& start);
+  std::string stages_line() const;
+
+  /// dt = min(CFL, the user's maximum), afresh each step.  `until` and the opening of gates are met
+  /// to the bit; the last two steps before them share what is left.
+  NextStep next_step(double until) const {
+    const double own_end = in_last_stage() ? until : std::min(until, stage_end());
+    const double target = std::min(own_end, walls_.next_opening(time_));
+    const double left = target - time_;
+    if (!(left > 0.0)) throw std::invalid_argument("step: until must lie ahead of the time");
+    const double dt = stable_time_step();
+    if (left > 2.0 * dt) return {dt, time_ + dt};
+    if (left > dt) return {0.5 * left, time_ + 0.5 * left};
+    return {left, target};
+  }
+
+  void update_stress_of_all(Real dt) {
+    for (std::size_t k = 0; k < materials_.size(); ++k)
+      std::visit(
+          [&](const auto& law) {
+            stress_pass<Dim>(state_, static_cast<std::uint8_t>(k), materials_[k].moduli, law,
+                             materials_[k].opens, dt);
+          },
+          materials_[k].update);
+  }
+
+  /// Part of FLIP in the velocity update.
+  Real flip() const {
+    return scene_.method.transfer == VelocityTransfer::apic ? 0.0 : scene_.method.flip;
+  }
+
+  Real damping() const {
+    const Method& method = scene_.method;
+    return waits_for_gate() ? std::max(method.settling_damping, method.local_damping)
+                            : method.local_damping;
+  }
+
+  void add_up_losses() {
+    if (damping() == 0.0 && !walls_.have_friction()) return;
+    for (const auto& at : state_.order.nodes()) {
+      damping_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].damped;
+      friction_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].rubbed;
+    }
+  }
+
+  void move_points() {
+    Particles<Dim>& points = state_.particles;
+    const auto n = static_cast<std::int64_t>(points.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < Dim; ++i)
+        points.x[i][static_cast<std::size_t>(k)] += points.dx[i][static_cast<std::size_t>(k)];
+  }
+
+  Real speed(std::size_t p) const {
+    Real v2 = 0.0;
+    for (const Column& v : state_.particles.v) v2 += v[p] * v[p];
+    return std::sqrt(v2);
+  }
+
+  void check_positions(const Gathered& gathered) {
+    if (gathered.outside != no_point)
+      fail(gathered.outside, "leaves the grid or is no number any more",
+           "enlarge the grid, or lower time.cfl");
+    fastest_ = gathered.fastest;
+  }
+
+  void check_volumes() const {
+    const auto n = static_cast<std::int64_t>(points());
+    std::uint32_t bad = no_point;
+#pragma omp parallel for schedule(static) reduction(min : bad)
+    for (std::int64_t k = 0; k < n; ++k) {
+      const auto p = static_cast<std::size_t>(k);
+      if (!(state_.particles.J[p] > 0.0)) bad = std::min(bad, state_.particles.id[p]);
+    }
+    if (bad != no_point)
+      fail(bad, "has a negative volume",
+           "lower time.cfl, or look for a point thrown against a wall");
+  }
+
+  [[noreturn]] void fail(std::uint32_t bad, const std::string& complaint,
+                         const std::string& advice) const {
+    const auto& id = state_.particles.id;
+    const auto p = static_cast<std::size_t>(std::find(id.begin(), id.end(), bad) - id.begin());
+    std::array<double, 3> x = {0.0, 0.0, 0.0};
+    for (int a = 0; a < Dim; ++a)
+      x[scene_axis<Dim>(a)] = state_.particles.x[static_cast<std::size_t>(a)][p];
+    std::ostringstream text;
+    text << "step " << steps_ + 1 << ", time " << time_ << " s: point " << bad
+         << " at x = " << x[0];
+    if constexpr (Dim == 3) text << ", y = " << x[1];
+    text << ", z = " << x[2] << " m (speed " << speed(p) << " m/s) " << complaint
+         << "; try: " << advice;
+    throw RunError(text.str(), steps_ + 1, time_, bad, x);
+  }
+
+  Scene scene_;
+  std::vector<Stage> stages_;
+  State<Dim, Shape> state_;
+  Walls<Dim> walls_;
+  Loads<Dim> loads_;
+  std::vector<MaterialModel> materials_;
+  std::vector<std::uint8_t> material_of_region_; ///< in the present stage
+  std::size_t stage_ = 0;
+  double stage_start_ = 0.0; ///< s
+  std::vector<double> start_positions_;
+  Energies start_;
+  Real fastest_ = 0.0;         ///< m/s, largest speed of a point
+  double damping_work_ = 0.0;  ///< J
+  double friction_work_ = 0.0; ///< J
+  double time_ = 0.0;
+  long steps_ = 0;
+};
+
+template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const Snapshot& start) {
+  Particles<Dim>& points = state_.particles;
+  const std::size_t n = points.size();
+  if (start.position.size() != 3 * n)
+    throw SetupError("the state to begin from has " + std::to_string(start.position.size() / 3) +
+                     " points, the scene has " + std::to_string(n));
+  const double tolerance = 1e-6 * state_.grid.h;
+  for (std::size_t p = 0; p < n; ++p) {
+    bool same = std::abs(start.initial_volume[p] - points.V0[p]) <= 1e-6 * points.V0[p];
+    for (std::size_t i = 0; i < 3; ++i)
+      same = same && std::abs(start.position[3 * p + i] - start.displacement[3 * p + i] -
+                              start_positions_[3 * p + i]) <= tolerance;
+    if (!same)
+      throw SetupError("point " + std::to_string(p) +
+                       " of the state to begin from is another than the scene's");
+  }
+  time_ = start.time;
+  steps_ = start.steps;
+  for (std::size_t p = 0; p < n; ++p) {
+    for (int a = 0; a < Dim; ++a) {
+      const auto i = static_cast<std::size_t>(a);
+      points.x[i][p] = start.position[3 * p + scene_axis<Dim>(a)];
+      points.v[i][p] = start.velocity[3 * p + scene_axis<Dim>(a)];
+    }
+    points.J[p] = start.volume[p] / points.V0[p];
+    for (std::size_t i = 0; i < points.tau.size(); ++i)
+      points.tau[i][p] = points.J[p] * start.stress[6 * p + stress_place<Dim>[i]];
+    points.plastic_strain[p] = start.plastic_strain[p];
+    points.gap[p] = start.gap[p];
+  }
+}
+
+template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() const {
+  const Particles<Dim>& points = state_.particles;
+  Energies now;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    Real v2 = 0.0;
+    for (std::size_t i = 0; i < Dim; ++i) v2 += points.v[i][p] * points.v[i][p];
+    now.kinetic += 0.5 * points.m[p] * v2;
+    now.plastic += points.V0[p] * points.dissipation[p];
+
+    // psi = sigma_m^2 / 2K + sigma_m gap + s:s / 4G; where there is a gap, sigma_m = sigma_t
+    const ElasticModuli& moduli = materials_[points.material[p]].moduli;
+    Real mean = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) mean += points.tau[i][p] / 3.0;
+    Real s2 = 0.0;
+    for (std::size_t i = 0; i < points.tau.size(); ++i) {
+      const Real s = points.tau[i][p] - (i < 3 ? mean : 0.0);
+      s2 += (i < 3 ? 1.0 : 2.0) * s * s;
+    }
+    now.strain += points.V0[p] *
+                  (mean * (0.5 * mean / moduli.bulk + points.gap[p]) + 0.25 * s2 / moduli.shear);
+  }
+  for (const auto& at : state_.order.nodes()) {
+    const NodeState<Dim>& node = state_.nodal.nodes[static_cast<std::size_t>(at.index)];
+    for (const Real v : node.v) now.grid_kinetic += 0.5 * node.m * v * v;
+  }
+  now.damping = damping_work_;
+  now.wall_friction = friction_work_;
+  now.gravitational = loads_.potential(points);
+  now.gravity_work = loads_.work(points);
+  now.scheme_loss = now.gravity_work - (now.kinetic - start_.kinetic) -
+                    (now.strain - start_.strain) - now.plastic - now.damping - now.wall_friction;
+  return now;
+}
+
+template <int Dim, class Shape> std::vector<double> SimulationOf<Dim, Shape>::positions() const {
+  const Particles<Dim>& points = state_.particles;
+  std::vector<double> values(3 * points.size(), 0.0);
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (int a = 0; a < Dim; ++a)
+      values[3 * points.id[p] + scene_axis<Dim>(a)] = points.x[static_cast<std::size_t>(a)][p];
+  return values;
+}
+
+template <int Dim, class Shape>
+std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) const {
+  const Particles<Dim>& points = state_.particles;
+  const auto components = static_cast<std::size_t>(field_info(name).components);
+  std::vector<double> values(components * points.size(), 0.0);
+
+  const auto scalar = [&](auto&& value) {
+    for (std::size_t p = 0; p < points.size(); ++p) values[points.id[p]] = value(p);
+  };
+  const auto mean_stress = [&](std::size_t p) {
+    return (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) / (3.0 * points.J[p]);
+  };
+  if (name == "displacement") {
+    values = positions();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= start_positions_[i];
+  } else if (name == "velocity") {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (int a = 0; a < Dim; ++a)
+        values[3 * points.id[p] + scene_axis<Dim>(a)] = points.v[static_cast<std::size_t>(a)][p];
+  } else if (name == "stress") {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (std::size_t i = 0; i < stress_place<Dim>.size(); ++i)
+        values[6 * points.id[p] + stress_place<Dim>[i]] = points.tau[i][p] / points.J[p];
+  } else if (name == "mean_stress") {
+    scalar(mean_stress);
+  } else if (name == "deviatoric_stress") {
+    scalar([&](std::size_t p) {
+      Real J2 = 0.0;
+      for (std::size_t i = 0; i < points.tau.size(); ++i) {
+        const Real s = points.tau[i][p] / points.J[p] - (i < 3 ? mean_stress(p) : 0.0);
+        J2 += (i < 3 ? 0.5 : 1.0) * s * s;
+      }
+      return std::sqrt(J2);
+    });
+  } else if (name == "equivalent_plastic_strain") {
+    scalar([&](std::size_t p) { return points.plastic_strain[p]; });
+  } else if (name == "density") {
+    scalar([&](std::size_t p) { return points.m[p] / (points.V0[p] * points.J[p]); });
+  } else if (name == "volume") {
+    scalar([&](std::size_t p) { return points.V0[p] * points.J[p]; });
+  } else if (name == "initial_volume") {
+    scalar([&](std::size_t p) { return points.V0[p]; });
+  } else if (name == "gap") {
+    scalar([&](std::size_t p) { return points.gap[p]; });
+  } else if (name == "region") {
+    scalar([&](std::size_t p) { return static_cast<double>(points.region[p]); });
+  }
+  return values;
+}
+
+template <int Dim, class Shape> std::string SimulationOf<Dim, Shape>::stages_line() const {
+  if (scene_.stages.empty()) return "one";
+  std::ostringstream text;
+  for (std::size_t k = stage_; k < stages_.size(); ++k) {
+    const Stage& stage = stages_[k];
+    text << (k == stage_ ? "" : ", ") << stage.name << " (" << stage.duration << " s"
+         << (stage.until_rest ? " or until rest" : "") << ")";
+    if (!stage.begin_from.empty()) text << " from " << stage.begin_from;
+  }
+  return text.str();
+}
+
+template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::plan() const {
+  const Method& method = scene_.method;
+  const auto scheme = [&] {
+    switch (method.scheme) {
+    case Scheme::usf:
+      return "USF: stress before the momentum, no second mapping";
+    case Scheme::usl:
+      return "USL: stress after the momentum, no second mapping";
+    case Scheme::musl:
+      break;
+    }
+    return "MUSL: stress after a second mapping of the momenta";
+  };
+  bool plastic = false;
+  for (const Material& material : scene_.materials)
+    plastic = plastic || std::holds_alternative<DruckerPrager>(material.law);
+  const std::string shape = Shape::layout == NodeLayout::corner   ? "linear"
+                            : Shape::layout == NodeLayout::padded ? "uniform GIMP"
+                                                                  : "quadratic B-spline";
+  return {
+      {"kinematics",
+       Dim == 2 ? "plane strain; y is neither computed nor stored" : "three-dimensional"},
+      {"shape functions", shape},
+      {"scheme", scheme()},
+      {"transfer",
+       method.transfer == VelocityTransfer::flip ? "velocities" : "velocities and their gradients"},
+      {"rate of volume",
+       state_.averages_volume ? "mean of the cell" : "of the point, not averaged"},
+      {"plasticity", plastic ? "Drucker-Prager" : "none, skipped"},
+      {"gaps", remembers_gaps(scene_) ? "remembered: opened material has to close before it bears"
+                                      : "forgotten, not stored"},
+      {"local damping", method.local_damping > 0.0 ? "on" : "none, skipped"},
+      {"settling", scene_.gates.empty()                   ? "no gate, skipped"
+                   : scene_.method.settling_damping > 0.0 ? "damped until the last gate opens"
+                                                          : "not damped"},
+      {"friction walls", walls_.have_friction() ? "on" : "none, skipped"},
+      {"stages", stages_line()},
+      {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},
+  };
+}
+
+template <template <int> class Shape>
+std::unique_ptr<Simulation> make_simulation_with(const Scene& scene, const Snapshot* start) {
+  if (scene.grid.dimension == 2) return std::make_unique<SimulationOf<2, Shape<2>>>(scene, start);
+  return std::make_unique<SimulationOf<3, Shape<3>>>(scene, start);
+}
+
+} // namespace scarp
