@@ -167,8 +167,11 @@ TEST(BeginFrom, TheLastFrameOfAnotherRun) {
   const auto simulation = io::make_simulation_from_files(quick({from}));
   EXPECT_EQ(simulation->time(), 0.02);
   EXPECT_EQ(simulation->stage().name, "slide");
-  EXPECT_EQ(simulation->field("stress"),
-            io::read_frame(directory / "first" / "first_000002.vtp").column("stress").values);
+  const auto written = io::read_frame(directory / "first" / "first_000002.vtp").column("stress");
+  const auto taken_over = simulation->field("stress");
+  ASSERT_EQ(taken_over.size(), written.values.size());
+  for (std::size_t i = 0; i < taken_over.size(); ++i) // tau = J sigma and back rounds
+    EXPECT_DOUBLE_EQ(taken_over[i], written.values[i]);
 
   Scene late = quick({from});
   late.stages[0].duration = 0.03;
