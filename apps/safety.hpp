@@ -27,8 +27,10 @@
 namespace scarp::apps {
 
 struct FailureRule {
-  double part_of_height = 0.005; ///< -
-  double periods = 200.0;       ///< -, N above
+  /// -; many times what a body that stands yields, and little enough that points stay in their
+  /// cells: with linear shape functions a slide is held up where they cross into the next.
+  double part_of_height = 0.005;
+  double periods = 200.0; ///< -, N above
 };
 
 enum class Verdict { stable, failed, still_moving };
