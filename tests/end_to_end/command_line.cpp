@@ -10,7 +10,7 @@ using CommandLine = EndToEnd;
 TEST_F(CommandLine, HelpOfEveryCommandIsNoError) {
   const std::vector<std::vector<std::string>> commands = {
       {},       {"run"},     {"render"}, {"reproduce"}, {"reproduce", "bui2008"},
-      {"info"}, {"options"}, {"study"}};
+      {"info"}, {"options"}, {"study"},  {"safety"}};
   for (std::vector<std::string> words : commands) {
     words.emplace_back("--help");
     const Result result = scarp(words);
