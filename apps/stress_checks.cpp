@@ -140,6 +140,7 @@ std::optional<StressFailure> StressChecks::check_energy(const StressMoment& now)
     if (auto failure = at_most("losses", -loss, energy_fraction * put_in_ + rounding, now, 0,
                                "J, given by damping, friction or plastic flow"))
       return failure;
+  peak_ = std::max(peak_, energies.grid_kinetic);
   losses_.push_back(energies.scheme_loss);
   if (losses_.size() > energy_window) losses_.pop_front();
   if (losses_.size() < energy_window) return std::nullopt;
@@ -149,7 +150,6 @@ std::optional<StressFailure> StressChecks::check_energy(const StressMoment& now)
                              "J, made by the scheme"))
     return failure;
 
-  peak_ = std::max(peak_, energies.grid_kinetic);
   still_ = energies.grid_kinetic > 1e-3 * peak_ ? 0 : still_ + 1;
   if (!loss_at_rest_ && still_ >= energy_window) loss_at_rest_ = loss;
   if (!loss_at_rest_) return std::nullopt;

@@ -127,7 +127,7 @@ class StressChecks {
   std::map<std::string, double> nearest_;
 };
 
-/// Empty if the point left at a free side, not too fast.
+/// Empty if the point left at a free side, not too fast.  `last`: the moment of the error.
 std::optional<StressFailure> explain(const RunError& error, const Scene& scene,
                                      const StressMoment& last);
 

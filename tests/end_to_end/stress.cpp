@@ -28,8 +28,9 @@ TEST_F(Stress, ReportsWhatFails) {
     const std::string file = failure.at("file");
     EXPECT_FALSE(failure.at("check").get<std::string>().empty());
     EXPECT_EQ(scarp({"info", "out/" + file}).exit_code, 0) << file;
-    if (failure.at("check") == "leaving") // the solver itself gives up
+    if (failure.at("check") == "leaving") { // the solver itself gives up
       EXPECT_EQ(scarp({"run", "out/" + file, "--out", "again"}).exit_code, 1) << file;
+    }
   }
 }
 

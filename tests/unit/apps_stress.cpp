@@ -72,8 +72,9 @@ TEST(StressLimits, TakeTheLargestLoadAndTheDensities) {
 TEST(StressChecks, LetACalmPointBe) { EXPECT_EQ(failing(calm()), ""); }
 
 TEST(StressChecks, FindWhatIsNoNumber) {
-  for (auto* const column : {&StressMoment::position, &StressMoment::velocity,
-                             &StressMoment::mean_stress, &StressMoment::volume}) {
+  for (std::vector<double> StressMoment::*const column :
+       {&StressMoment::position, &StressMoment::velocity, &StressMoment::mean_stress,
+        &StressMoment::volume}) {
     StressMoment bad = calm();
     (bad.*column)[0] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(failing(bad), "numbers");
