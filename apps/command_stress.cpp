@@ -30,7 +30,7 @@ std::size_t count(const std::vector<StressResult>& results, StressEnd end) {
 
 /// Writes the scene, from the directory of results on DIR/failed/NNNN.toml.
 std::string write_scene(const Options& options, std::size_t number) {
-  const std::string name = fmt::format("failed/{:04}.toml", number);
+  std::string name = fmt::format("failed/{:04}.toml", number);
   make_directory(options.out / "failed");
   io::write_atomically(options.out / name,
                        io::scene_to_toml(stress_scene(options.seed, number).scene));

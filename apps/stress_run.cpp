@@ -97,6 +97,7 @@ std::vector<StressResult> run_stress_scenes(std::uint64_t seed, std::size_t coun
     }
   };
   std::vector<std::thread> threads;
+  threads.reserve(static_cast<std::size_t>(jobs));
   for (int job = 0; job < jobs; ++job) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   if (error) std::rethrow_exception(error);
