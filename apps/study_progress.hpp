@@ -27,11 +27,10 @@ class StudyProgress {
   /// A line of its own, which stays.
   void say(const std::string& line);
   double seconds() const; ///< s, since it was made
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  void clear();
 
   bool visible_;
   bool written_ = false;

@@ -1,0 +1,210 @@
+#include "apps/stress_checks.hpp"
+
+#include "core/drucker_prager.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace scarp::apps {
+
+namespace {
+
+double largest(const Ramp& ramp) {
+  double most = 0.0;
+  for (const auto& point : ramp.points) most = std::max(most, std::abs(point[1]));
+  return most;
+}
+
+/// Of the scene's gravity, over all stages and regions.
+double largest_multiple(const Scene& scene) {
+  if (scene.stages.empty()) return 1.0;
+  double most = 0.0;
+  for (const Stage& stage : scene.stages) {
+    double of_region = 1.0;
+    for (const auto& entry : stage.body_force)
+      of_region = std::max(of_region, largest(entry.second));
+    most = std::max(most, largest(stage.gravity) * of_region);
+  }
+  return most;
+}
+
+double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
+
+bool finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+bool finite(const StressMoment& now) {
+  const Energies& e = now.energies;
+  return std::isfinite(e.scheme_loss + e.grid_kinetic) && finite(now.position) &&
+         finite(now.velocity) && finite(now.mean_stress) && finite(now.volume);
+}
+
+} // namespace
+
+double StressLimits::fastest(double time) const {
+  const double free =
+      std::min(speed + body_force * time, std::sqrt(speed * speed + 2.0 * potential));
+  return 2.0 * std::sqrt(density_ratio) * free;
+}
+
+double StressLimits::stress(double largest_speed) const {
+  return 2.0 * impedance * largest_speed + stress_concentration * weight;
+}
+
+StressLimits stress_limits(const Scene& scene) {
+  StressLimits limits;
+  const Grid& grid = scene.grid;
+  const double multiple = largest_multiple(scene);
+  limits.body_force = multiple * norm(scene.gravity.data());
+  limits.room = 1.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == 1 && grid.dimension == 2) continue;
+    const double extent = grid.upper[i] - grid.lower[i];
+    limits.potential += multiple * std::abs(scene.gravity[i]) * extent;
+    limits.room *= extent;
+  }
+  double heaviest = 0.0;
+  double wave = 0.0; // m/s
+  double lightest = std::numeric_limits<double>::infinity();
+  limits.bulk = lightest;
+  for (const Material& material : scene.materials) {
+    const auto moduli = ElasticModuli::from(material.youngs_modulus, material.poissons_ratio);
+    heaviest = std::max(heaviest, material.density);
+    lightest = std::min(lightest, material.density);
+    limits.impedance = std::max(limits.impedance, std::sqrt(moduli.p_wave() * material.density));
+    limits.bulk = std::min(limits.bulk, moduli.bulk);
+    wave = std::max(wave, std::sqrt(moduli.p_wave() / material.density));
+  }
+  limits.density_ratio = heaviest / lightest;
+
+  const double far = std::numeric_limits<double>::infinity();
+  std::array<double, 3> lower = {far, far, far};
+  std::array<double, 3> upper = {-far, -far, -far};
+  const auto reach = [&](std::size_t axis, double x) {
+    lower[axis] = std::min(lower[axis], x);
+    upper[axis] = std::max(upper[axis], x);
+  };
+  for (const Region& region : scene.regions) {
+    limits.speed = std::max(limits.speed, norm(region.velocity.data()));
+    for (const auto& corner : region.polygon) {
+      reach(0, corner[0]);
+      reach(2, corner[1]);
+    }
+    for (const double y : region.depth) reach(1, grid.dimension == 3 ? y : 0.0);
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    limits.weight += heaviest * limits.body_force * (upper[i] - lower[i]);
+
+  const double end = end_time(scene);
+  const double shortest = std::min(scene.timing.max_time_step, scene.timing.cfl * grid.cell_size /
+                                                                   (wave + limits.fastest(end)));
+  // Frames, gates and stages cut a step in two.
+  limits.steps = 1.01 * end / shortest + 100.0;
+  return limits;
+}
+
+StressMoment stress_moment(const Simulation& simulation) {
+  return {.time = simulation.time(),
+          .steps = simulation.steps(),
+          .energies = simulation.energies(),
+          .position = simulation.positions(),
+          .velocity = simulation.field("velocity"),
+          .mean_stress = simulation.field("mean_stress"),
+          .volume = simulation.field("volume"),
+          .initial_volume = simulation.field("initial_volume")};
+}
+
+std::optional<StressFailure> StressChecks::at_most(const std::string& check, double value,
+                                                   double bound, const StressMoment& now,
+                                                   std::size_t point, const std::string& what) {
+  if (value <= bound) {
+    double& nearest = nearest_[check];
+    if (value > 0.0) nearest = std::max(nearest, value / bound);
+    return std::nullopt;
+  }
+  return StressFailure{check, value, bound, now.time, point, what};
+}
+
+std::optional<StressFailure> StressChecks::check_energy(const StressMoment& now) {
+  const Energies& energies = now.energies;
+  // Of sums of that size, where P is 0 at first.
+  const double rounding = 1e-12 * (energies.kinetic + energies.strain);
+  if (first_kinetic_ < 0.0) first_kinetic_ = energies.kinetic;
+  put_in_ = std::max(put_in_, first_kinetic_ + energies.gravity_work);
+  for (const double loss : {energies.damping, energies.wall_friction, energies.plastic})
+    if (auto failure = at_most("losses", -loss, energy_fraction * put_in_ + rounding, now, 0,
+                               "J, given by damping, friction or plastic flow"))
+      return failure;
+  peak_ = std::max(peak_, energies.grid_kinetic);
+  losses_.push_back(energies.scheme_loss);
+  if (losses_.size() > energy_window) losses_.pop_front();
+  if (losses_.size() < energy_window) return std::nullopt;
+  const double loss =
+      std::reduce(losses_.begin(), losses_.end()) / static_cast<double>(energy_window);
+  if (auto failure = at_most("energy", -loss, energy_fraction * put_in_ + rounding, now, 0,
+                             "J, made by the scheme"))
+    return failure;
+
+  still_ = energies.grid_kinetic > 1e-3 * peak_ ? 0 : still_ + 1;
+  if (!loss_at_rest_ && still_ >= energy_window) loss_at_rest_ = loss;
+  if (!loss_at_rest_) return std::nullopt;
+  return at_most("rest", *loss_at_rest_ - loss, rest_fraction * put_in_ + rounding, now, 0,
+                 "J, made by the scheme after rest");
+}
+
+std::optional<StressFailure> StressChecks::look(const StressMoment& now) {
+  if (!finite(now)) return StressFailure{"numbers", NAN, 0.0, now.time, 0, "not finite"};
+  if (auto failure =
+          at_most("steps", static_cast<double>(now.steps), limits_.steps, now, 0, "steps"))
+    return failure;
+  const std::size_t points = now.volume.size();
+  std::vector<double> speed(points);
+  for (std::size_t p = 0; p < points; ++p) speed[p] = norm(&now.velocity[3 * p]);
+  const auto fastest = static_cast<std::size_t>(std::ranges::max_element(speed) - speed.begin());
+  if (auto failure = at_most("speed", speed[fastest], limits_.fastest(now.time), now, fastest,
+                             "m/s, of a point"))
+    return failure;
+  largest_speed_ = std::max(largest_speed_, speed[fastest]);
+
+  const double stress = limits_.stress(largest_speed_);
+  const double smallest_ratio = 0.5 * std::exp(-stress / limits_.bulk);
+  for (std::size_t p = 0; p < points; ++p) {
+    const double J = now.volume[p] / now.initial_volume[p];
+    if (auto failure = at_most("stress", J * std::abs(now.mean_stress[p]), stress, now, p,
+                               "Pa, size of a point's mean Kirchhoff stress"))
+      return failure;
+    if (auto failure = at_most("volume", now.volume[p], limits_.room, now, p,
+                               "m3, or m2 in plane strain, of a point"))
+      return failure;
+    if (auto failure = at_most("volume", smallest_ratio, J, now, p,
+                               "-, the smallest V/V0 explained; the bound is a point's"))
+      return failure;
+  }
+  return check_energy(now);
+}
+
+std::optional<StressFailure> explain(const RunError& error, const Scene& scene,
+                                     const StressMoment& last) {
+  const std::size_t p = error.point();
+  const double speed = norm(&last.velocity[3 * p]);
+  const double bound = stress_limits(scene).fastest(last.time);
+  const Grid& grid = scene.grid;
+  bool at_free_side = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == 1 && grid.dimension == 2) continue;
+    // A step takes a point through less than a cell.
+    const double x = error.position()[i];
+    at_free_side |= grid.walls[i][0].kind == WallKind::free && x < grid.lower[i] + grid.cell_size;
+    at_free_side |= grid.walls[i][1].kind == WallKind::free && x > grid.upper[i] - grid.cell_size;
+  }
+  if (at_free_side && speed <= bound) return std::nullopt;
+  return StressFailure{"leaving", speed, at_free_side ? bound : 0.0,
+                       last.time, p,     fmt::format("m/s, of a point; {}", error.what())};
+}
+
+} // namespace scarp::apps

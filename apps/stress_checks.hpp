@@ -1,0 +1,134 @@
+// What has to hold in every run, however it is set up.  Every bound is one-sided, follows from
+// balances that the continuum obeys, and stands here once.
+//
+// b: the largest body force of the scene (m/s2); F: the largest difference of its potential within
+// the grid (m2/s2); v0: the largest speed at time 0; rho: density; c: the speed of P-waves.
+//
+// numbers   Positions, velocities, stresses, volumes and energies are finite.
+//
+// energy    Friction, damping and plastic flow only take energy, and an explicit scheme must not
+//           give it: scheme_loss >= - energy_fraction P, with P = T(0) + max W the energy put in so
+//           far.  Leapfrog knows velocity and strain half a step apart, which lets T + U of a mode
+//           of frequency w swing by the part w dt/2 about its mean; so scheme_loss is averaged over
+//           the last energy_window looks, longer than a period of the modes with a large w dt.
+//
+// losses    Damping, friction and plastic flow each take energy: none of them gives more than
+//           energy_fraction P back.
+//
+// rest      The mean of scheme_loss must not fall either, once the nodes' kinetic energy has been
+//           below 1e-3 of its peak for energy_window looks: from then on by at most rest_fraction
+//           P.
+//
+// speed     A point moves freely at v = min(v0 + b t, sqrt(v0^2 + 2 F)).  A wave that brings v
+//           leaves a free surface with 2 v.  Where a dense material presses a light one out or
+//           throws it, all its pressure may become the light one's speed (Bernoulli):
+//           sqrt(rho_max/rho_min).  So |v_p| <= 2 sqrt(rho_max/rho_min) v.
+//
+// stress    Along a characteristic of the wave equation sigma +- rho c v changes only by the body
+//           force, rho b times the path.  Two waves meet: |sigma_m| <= 2 max(rho c) v_max +
+//           stress_concentration max(rho) b L, with v_max the fastest point up to now, L the sum of
+//           the body's extents and a factor for corners and for the linear shape functions, whose
+//           stress jumps by about the stress itself as a point crosses a cell.  sigma_m is the mean
+//           Kirchhoff stress, tau = J sigma, which the force holds with a fixed weight.
+//
+// volume    A point is not larger than the grid.  It is not smaller than the stress bound presses
+//           it: log J = tau_m/K where nothing opens or dilates, both of which only add to J; so
+//           J >= exp(- bound/K)/2, where 1/2 is for the second order of the steps' products.
+//
+// steps     The stable step is that of waves and of the fastest point, so a run does not take more
+//           steps than c + the speed bound allow.
+//
+// leaving   A point may leave the grid at a free side only, not faster than `speed`.
+#pragma once
+
+#include "core/error.hpp"
+#include "core/scene.hpp"
+#include "core/simulation.hpp"
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scarp::apps {
+
+constexpr double energy_fraction = 0.1;
+constexpr double rest_fraction = 0.01;
+constexpr std::size_t energy_window = 20; ///< looks
+constexpr long steps_between_looks = 5;
+constexpr double stress_concentration = 4.0;
+
+/// What the bounds need of a scene.
+struct StressLimits {
+  double body_force = 0.0;    ///< b, m/s2
+  double potential = 0.0;     ///< F, m2/s2
+  double speed = 0.0;         ///< v0, m/s
+  double density_ratio = 1.0; ///< rho_max/rho_min
+  double impedance = 0.0;     ///< max rho c, Pa s/m
+  double weight = 0.0;        ///< max(rho) b L, Pa
+  double bulk = 0.0;          ///< the smallest K, Pa
+  double room = 0.0;          ///< of the grid, m3 (m2 in plane strain)
+  double steps = 0.0;         ///< the most that the run may take
+
+  double fastest(double time) const;         ///< m/s, of a point
+  double stress(double largest_speed) const; ///< Pa
+};
+StressLimits stress_limits(const Scene& scene);
+
+/// What the checks look at: a run at one moment.
+struct StressMoment {
+  double time = 0.0; ///< s
+  long steps = 0;
+  Energies energies;
+  std::vector<double> position;       ///< m, x y z
+  std::vector<double> velocity;       ///< m/s, x y z
+  std::vector<double> mean_stress;    ///< Pa, Cauchy
+  std::vector<double> volume;         ///< m3 (m2 in plane strain)
+  std::vector<double> initial_volume; ///< the same
+};
+StressMoment stress_moment(const Simulation& simulation);
+
+/// A bound that does not hold.  For a lower bound value < bound, else value > bound.
+struct StressFailure {
+  std::string check; ///< a word of the list above
+  double value = 0.0;
+  double bound = 0.0;
+  double time = 0.0; ///< s
+  std::size_t point = 0;
+  std::string what; ///< what the value is, with its unit
+};
+
+class StressChecks {
+ public:
+  explicit StressChecks(const StressLimits& limits) : limits_(limits) {}
+
+  /// To be called moment by moment, from time 0 on.  Returns the first bound that does not hold.
+  std::optional<StressFailure> look(const StressMoment& now);
+
+  /// How near runs have come to their bounds: value by bound, 1 at the bound.
+  const std::map<std::string, double>& nearest() const { return nearest_; }
+
+ private:
+  std::optional<StressFailure> check_energy(const StressMoment& now);
+  std::optional<StressFailure> at_most(const std::string& check, double value, double bound,
+                                       const StressMoment& now, std::size_t point,
+                                       const std::string& what);
+
+  StressLimits limits_;
+  double put_in_ = 0.0;       ///< J, P
+  double first_kinetic_ = -1; ///< J, T(0); negative: not yet known
+  double peak_ = 0.0;         ///< J, of the nodes' kinetic energy
+  std::size_t still_ = 0;     ///< looks since it was above 1e-3 of its peak
+  std::deque<double> losses_; ///< J, scheme_loss at the last looks
+  std::optional<double> loss_at_rest_;
+  double largest_speed_ = 0.0; ///< m/s
+  std::map<std::string, double> nearest_;
+};
+
+/// Empty if the point left at a free side, not too fast.  `last`: the moment of the error.
+std::optional<StressFailure> explain(const RunError& error, const Scene& scene,
+                                     const StressMoment& last);
+
+} // namespace scarp::apps

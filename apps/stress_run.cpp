@@ -1,0 +1,107 @@
+#include "apps/stress_run.hpp"
+
+#include "core/run.hpp"
+
+#include <omp.h>
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace scarp::apps {
+
+namespace {
+
+/// Ends a run at its first failure.
+struct Stop {
+  StressFailure failure;
+};
+
+class Watch final : public Observer {
+ public:
+  explicit Watch(const StressLimits& limits) : checks_(limits) {}
+
+  void frame(const Simulation& simulation) override { look(simulation); }
+  void progress(const Simulation& simulation) override {
+    if (simulation.steps() % steps_between_looks == 0) look(simulation);
+  }
+  const StressChecks& checks() const { return checks_; }
+
+ private:
+  void look(const Simulation& simulation) {
+    if (simulation.steps() == looked_at_) return;
+    looked_at_ = simulation.steps();
+    if (const auto failure = checks_.look(stress_moment(simulation))) throw Stop{*failure};
+  }
+
+  StressChecks checks_;
+  long looked_at_ = -1;
+};
+
+void watch(const Scene& scene, Simulation& simulation, StressResult& result) {
+  Watch watch(stress_limits(scene));
+  try {
+    run(simulation, scene.timing, watch);
+  } catch (const Stop& stop) {
+    result.failure = stop.failure;
+  } catch (const RunError& error) {
+    result.message = error.what();
+    StressMoment last = stress_moment(simulation);
+    last.time += simulation.stable_time_step(); // its velocities are those after the step
+    result.failure = explain(error, scene, last);
+    if (!result.failure) result.end = StressEnd::left_grid;
+  }
+  if (result.failure) result.end = StressEnd::failed;
+  result.points = simulation.points();
+  result.steps = simulation.steps();
+  result.nearest = watch.checks().nearest();
+}
+
+} // namespace
+
+StressResult run_stress_scene(const StressScene& stress) {
+  StressResult result;
+  result.number = stress.number;
+  result.family = stress.family;
+  std::unique_ptr<Simulation> simulation;
+  try {
+    simulation = make_simulation(stress.scene);
+  } catch (const SetupError& error) {
+    result.end = StressEnd::refused;
+    result.message = error.what();
+    return result;
+  }
+  watch(stress.scene, *simulation, result);
+  return result;
+}
+
+std::vector<StressResult> run_stress_scenes(std::uint64_t seed, std::size_t count, int jobs,
+                                            const std::function<void(const StressResult&)>& done) {
+  std::vector<StressResult> results(count);
+  std::atomic<std::size_t> next = 0;
+  std::mutex one_at_a_time;
+  std::exception_ptr error;
+  const auto work = [&] {
+    omp_set_num_threads(1); // of this thread's parallel regions
+    try {
+      for (std::size_t k = next++; k < count; k = next++) {
+        results[k] = run_stress_scene(stress_scene(seed, k));
+        const std::lock_guard lock(one_at_a_time);
+        done(results[k]);
+      }
+    } catch (...) {
+      const std::lock_guard lock(one_at_a_time);
+      error = std::current_exception();
+      next = count;
+    }
+  };
+  std::vector<std::thread> threads;
+  threads.reserve(static_cast<std::size_t>(jobs));
+  for (int job = 0; job < jobs; ++job) threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  if (error) std::rethrow_exception(error);
+  return results;
+}
+
+} // namespace scarp::apps

@@ -1,0 +1,227 @@
+// scarp stress: scenes that depend on seed and number only, and checks that can fail.
+#include "apps/stress_run.hpp"
+#include "io/scene_file.hpp"
+#include "tests/support/scenes.hpp"
+#include "tests/unit/io_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace scarp::apps {
+namespace {
+
+/// A block of one material at rest, whose bounds are worked out by hand below.
+Scene block() {
+  Scene scene;
+  scene.grid = test::grid_2d(0.5, {0.0, 0.0}, {8.0, 4.0});
+  scene.gravity = {0.0, 0.0, -10.0};
+  scene.materials = {test::elastic("rock", 1000.0, 4e6, 0.0)}; // c = sqrt(4e6/1000) = 63.2 m/s
+  scene.regions = {test::box("block", "rock", {1.0, 0.0}, {3.0, 1.0}, {3.0, 0.0, 4.0})};
+  scene.timing.end_time = 1.0;
+  scene.timing.output_interval = 1.0;
+  return scene;
+}
+
+/// One point that does nothing.
+StressMoment calm() {
+  StressMoment moment;
+  moment.time = 0.5;
+  moment.energies.kinetic = 100.0;
+  moment.position = {2.0, 0.0, 0.5};
+  moment.velocity = {0.0, 0.0, 0.0};
+  moment.mean_stress = {-1000.0};
+  moment.volume = {0.25};
+  moment.initial_volume = {0.25};
+  return moment;
+}
+
+/// The check that fails on a moment, or "".
+std::string failing(const StressMoment& moment) {
+  StressChecks checks(stress_limits(block()));
+  const auto failure = checks.look(moment);
+  return failure ? failure->check : "";
+}
+
+TEST(StressLimits, AreThoseOfTheHeader) {
+  const StressLimits limits = stress_limits(block());
+  EXPECT_EQ(limits.body_force, 10.0);
+  EXPECT_EQ(limits.potential, 40.0); // 10 m/s2 over 4 m
+  EXPECT_EQ(limits.speed, 5.0);
+  EXPECT_NEAR(limits.fastest(0.1), 2.0 * 6.0, 1e-12);                    // v0 + b t
+  EXPECT_NEAR(limits.fastest(9.0), 2.0 * std::sqrt(25.0 + 80.0), 1e-12); // the whole fall
+  EXPECT_NEAR(limits.weight, 1000.0 * 10.0 * 3.0, 1e-9);                 // 2 m wide and 1 m high
+  EXPECT_NEAR(limits.stress(2.0), 4.0 * std::sqrt(4e9) + 4.0 * 30000.0, 1e-6);
+  EXPECT_EQ(limits.room, 32.0);
+}
+
+TEST(StressLimits, TakeTheLargestLoadAndTheDensities) {
+  Scene scene = block();
+  scene.materials.push_back(test::elastic("light", 10.0, 4e6, 0.0));
+  Stage stage;
+  stage.gravity.points = {{0.0, 0.0}, {1.0, 3.0}};
+  stage.body_force = {{"block", {{{0.0, 1.0}, {1.0, 2.0}}}}};
+  scene.stages = {stage};
+  const StressLimits limits = stress_limits(scene);
+  EXPECT_EQ(limits.body_force, 60.0);
+  EXPECT_EQ(limits.density_ratio, 100.0);
+}
+
+TEST(StressChecks, LetACalmPointBe) { EXPECT_EQ(failing(calm()), ""); }
+
+TEST(StressChecks, FindWhatIsNoNumber) {
+  for (std::vector<double> StressMoment::*const column :
+       {&StressMoment::position, &StressMoment::velocity, &StressMoment::mean_stress,
+        &StressMoment::volume}) {
+    StressMoment bad = calm();
+    (bad.*column)[0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(failing(bad), "numbers");
+  }
+  StressMoment bad = calm();
+  bad.energies.scheme_loss = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(failing(bad), "numbers");
+}
+
+TEST(StressChecks, FindAThrownPoint) {
+  StressMoment bad = calm();
+  bad.velocity = {0.0, 0.0, 19.9}; // bound 2 (5 + 10 0.5) = 20 m/s
+  EXPECT_EQ(failing(bad), "");
+  bad.velocity = {0.0, 0.0, -20.1};
+  EXPECT_EQ(failing(bad), "speed");
+}
+
+TEST(StressChecks, FindAStressThatNothingExplains) {
+  StressMoment bad = calm();
+  for (const double sign : {1.0, -1.0}) {
+    bad.mean_stress = {sign * 1.19e5}; // at rest: 4 rho b L = 1.2e5 Pa
+    EXPECT_EQ(failing(bad), "");
+    bad.mean_stress = {sign * 1.21e5};
+    EXPECT_EQ(failing(bad), "stress");
+  }
+}
+
+TEST(StressChecks, FindImpossibleVolumes) {
+  StressMoment bad = calm();
+  bad.mean_stress = {0.0};
+  bad.volume = {33.0}; // the grid has 32 m2
+  EXPECT_EQ(failing(bad), "volume");
+  // K = 4e6/3 Pa: exp(-1.2e5/K)/2 = 0.457
+  bad.volume = {0.25 * 0.46};
+  EXPECT_EQ(failing(bad), "");
+  bad.volume = {0.25 * 0.45};
+  EXPECT_EQ(failing(bad), "volume");
+}
+
+TEST(StressChecks, FindTooManySteps) {
+  StressMoment bad = calm();
+  bad.steps = 100000;
+  EXPECT_EQ(failing(bad), "steps");
+}
+
+TEST(StressChecks, FindALossThatGives) {
+  for (double Energies::*const loss :
+       {&Energies::damping, &Energies::wall_friction, &Energies::plastic}) {
+    StressMoment bad = calm();
+    bad.energies.*loss = -9.9; // of 100 J
+    EXPECT_EQ(failing(bad), "");
+    bad.energies.*loss = -10.1;
+    EXPECT_EQ(failing(bad), "losses");
+  }
+}
+
+/// Energy comes for longer than a swing of leapfrog's.
+TEST(StressChecks, FindMadeEnergyButNoSwing) {
+  StressChecks lasting(stress_limits(block()));
+  StressChecks swinging(stress_limits(block()));
+  StressMoment moment = calm();
+  std::string found;
+  for (std::size_t i = 0; i < 2 * energy_window; ++i) {
+    moment.energies.scheme_loss = -10.5;
+    if (const auto failure = lasting.look(moment)) found = failure->check;
+    moment.energies.scheme_loss = i % 2 == 0 ? -30.0 : 30.0;
+    EXPECT_FALSE(swinging.look(moment));
+  }
+  EXPECT_EQ(found, "energy");
+}
+
+TEST(StressChecks, FindEnergyMadeAfterRest) {
+  StressChecks checks(stress_limits(block()));
+  StressMoment moment = calm();
+  moment.energies.grid_kinetic = 100.0;
+  EXPECT_FALSE(checks.look(moment));
+  moment.energies.grid_kinetic = 0.01;
+  moment.energies.scheme_loss = 50.0;
+  for (std::size_t i = 0; i < 3 * energy_window; ++i) EXPECT_FALSE(checks.look(moment));
+  moment.energies.scheme_loss = 48.9; // 1.1 J of 100 J
+  std::string found;
+  for (std::size_t i = 0; i < energy_window; ++i)
+    if (const auto failure = checks.look(moment)) found = failure->check;
+  EXPECT_EQ(found, "rest");
+}
+
+TEST(StressChecks, ExplainWhoMayLeave) {
+  Scene scene = block();
+  scene.grid.walls[2][0].kind = WallKind::fixed;
+  const auto verdict = [&](std::array<double, 3> position, double speed) {
+    StressMoment last = calm();
+    last.velocity = {speed, 0.0, 0.0};
+    const auto failure = explain(RunError("gone", 1, 0.5, 0, position), scene, last);
+    return failure ? failure->check : std::string();
+  };
+  EXPECT_EQ(verdict({7.9, 0.0, 2.0}, 5.0), "") << "at the free side";
+  EXPECT_EQ(verdict({7.9, 0.0, 2.0}, 50.0), "leaving") << "thrown";
+  EXPECT_EQ(verdict({4.0, 0.0, 0.1}, 5.0), "leaving") << "through the base";
+  EXPECT_EQ(verdict({4.0, 0.0, 2.0}, 5.0), "leaving") << "in the middle: a negative volume";
+}
+
+TEST(StressScenes, DependOnSeedAndNumberOnly) {
+  const std::string scene = io::scene_to_toml(stress_scene(7, 12).scene);
+  stress_scene(7, 11);
+  EXPECT_EQ(io::scene_to_toml(stress_scene(7, 12).scene), scene);
+  EXPECT_NE(io::scene_to_toml(stress_scene(8, 12).scene), scene);
+  EXPECT_NE(io::scene_to_toml(stress_scene(7, 12 + stress_families().size()).scene), scene);
+}
+
+/// `scarp run` has to take what a failure leaves.
+TEST(StressScenes, AreSceneFilesOfModestSize) {
+  const std::filesystem::path file = test::fresh_directory() / "scene.toml";
+  std::set<std::string> families;
+  std::set<int> dimensions;
+  for (std::size_t k = 0; k < 140; ++k) {
+    const StressScene stress = stress_scene(1, k);
+    families.insert(stress.family);
+    dimensions.insert(stress.scene.grid.dimension);
+    const std::string text = io::scene_to_toml(stress.scene);
+    EXPECT_EQ(io::scene_to_toml(io::read_scene(test::write_file(file, text))), text)
+        << "scene " << k;
+    EXPECT_LE(make_simulation(stress.scene)->points(), 800U) << "scene " << k;
+  }
+  EXPECT_EQ(families.size(), stress_families().size());
+  EXPECT_EQ(dimensions, (std::set<int>{2, 3}));
+}
+
+TEST(StressRun, IsTheSameForAnyNumberOfJobs) {
+  const auto one = run_stress_scenes(3, 28, 1, [](const StressResult&) {});
+  std::size_t calls = 0;
+  const auto three = run_stress_scenes(3, 28, 3, [&](const StressResult&) { ++calls; });
+  EXPECT_EQ(calls, 28U);
+  for (std::size_t k = 0; k < 28; ++k) {
+    EXPECT_EQ(three[k].number, k);
+    EXPECT_EQ(three[k].steps, one[k].steps);
+    EXPECT_EQ(three[k].end, one[k].end);
+    EXPECT_EQ(three[k].nearest, one[k].nearest);
+  }
+}
+
+TEST(StressRun, TellsOfRefusedScenes) {
+  StressScene stress{0, "block", block()};
+  stress.scene.regions[0].material = "none";
+  const StressResult result = run_stress_scene(stress);
+  EXPECT_EQ(result.end, StressEnd::refused);
+  EXPECT_NE(result.message.find("no material 'none'"), std::string::npos);
+}
+
+} // namespace
+} // namespace scarp::apps
