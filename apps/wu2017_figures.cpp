@@ -164,6 +164,7 @@ render::Image initial_stress(const io::Frame& frame) {
 /// Figure 10.
 render::Image shapes(const io::SeriesReader& series) {
   std::vector<io::Frame> frames;
+  frames.reserve(moments.size() + 1);
   for (const double time : moments) frames.push_back(frame_at(series, time));
   frames.push_back(series.read(series.size() - 1));
   render::FrameStyle style;

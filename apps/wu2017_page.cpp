@@ -213,10 +213,10 @@ std::vector<std::string> Wu2017Report::definitions() const {
           "'After rest' is its largest part of the peak after {:.2g} s of rest: more than {:.3g} "
           "would be a gain.",
           measure_.rest_fraction, measure_.rest_duration, measure_.rest_fraction),
-      "Stages: II begins when C first has nine tenths of its creep velocity (that at the least "
-      "acceleration before half of its peak) and ends when it has eleven tenths; IV begins with "
-      "the "
-      "peak of the kinetic energy."};
+      fmt::format("Stages: II begins when C first has {} of its creep velocity (that at the least "
+                  "acceleration before half of its peak) and ends when it has {}; IV begins with "
+                  "the peak of the kinetic energy.",
+                  "nine tenths", "eleven tenths")};
 }
 
 double Wu2017Report::run_time() const {

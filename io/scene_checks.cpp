@@ -106,6 +106,7 @@ template <typename Item>
 std::string unknown_name(const std::string& name, const std::vector<Item>& items,
                          const std::string& what) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const Item& item : items) names.push_back(item.name);
   const std::string hint = did_you_mean(name, names);
   return fmt::format("names '{}'; must be the name of a [[{}]]: {}{}", name, what,

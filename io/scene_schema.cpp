@@ -332,12 +332,13 @@ Section<Gate> gate_section() {
 }
 
 // A ramp that `member` finds in a stage.
-template <typename Member> Option<Stage> ramp(std::string key, Member member, std::string help) {
+template <typename Member>
+Option<Stage> ramp(const std::string& key, Member member, const std::string& help) {
   return Declaration<Stage>{
-      .key = std::move(key),
+      .key = key,
       .unit = "",
       .allowed = ramp_rule,
-      .help = std::move(help),
+      .help = help,
       .read = [=](const toml::node& node, int,
                   Stage& stage) { return read_ramp(node, std::invoke(member, stage)); },
       .write = [=](const Stage& stage, int) { return ramp_json(std::invoke(member, stage)); }};
