@@ -4,6 +4,7 @@
 #include "core/grid_index.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace scarp {
 
@@ -67,7 +68,10 @@ template <int Dim> Real Loads<Dim>::potential(const Particles<Dim>& points) cons
 }
 
 template <int Dim> Real Loads<Dim>::work(const Particles<Dim>& points) const {
-  const std::vector<Vec<Dim>> now = moments(points);
+  return work_at(moments(points));
+}
+
+template <int Dim> Real Loads<Dim>::work_at(const std::vector<Vec<Dim>>& now) const {
   Real sum = work_;
   for (std::size_t r = 0; r < settled_.size(); ++r)
     for (std::size_t i = 0; i < Dim; ++i) sum += force(r)[i] * (now[r][i] - settled_[r][i]);
@@ -75,8 +79,9 @@ template <int Dim> Real Loads<Dim>::work(const Particles<Dim>& points) const {
 }
 
 template <int Dim> void Loads<Dim>::settle(const Particles<Dim>& points) {
-  work_ = work(points);
-  settled_ = moments(points);
+  std::vector<Vec<Dim>> now = moments(points);
+  work_ = work_at(now);
+  settled_ = std::move(now);
 }
 
 template class Loads<2>;

@@ -36,6 +36,7 @@ template <int Dim> class Loads {
  private:
   /// sum m x by region
   std::vector<Vec<Dim>> moments(const Particles<Dim>& points) const;
+  Real work_at(const std::vector<Vec<Dim>>& moments) const;
   Vec<Dim> force(std::size_t region) const;
 
   Vec<Dim> gravity_;
