@@ -53,21 +53,20 @@ class WholeHistory {
   io::Table before_;
 };
 
+/// At the end of the names of history.csv's energies.
+std::string energy_unit(const Scene& scene) {
+  return scene.grid.dimension == 2 ? "_J_per_m" : "_J";
+}
+
 /// In the order of result_columns.
 std::vector<double> outputs_of(const PlannedRun& run, const nlohmann::ordered_json& record,
                                const fs::path& folder, const WholeHistory& history,
                                analysis::MeasureOptions options) {
-  const bool plane = run.scene.grid.dimension == 2;
-  const std::string joule = plane ? "_J_per_m" : "_J";
-  if (!plane) options.thickness = 1.0;
-  analysis::SlideRecord slide{.time = history.column("time_s"),
-                              .monitor_velocity = {},
-                              .kinetic_energy = history.column("kinetic" + joule),
-                              .rest_energy = history.column("grid_kinetic" + joule),
-                              .front = history.column("front_x_m")};
-  for (const Monitor& monitor : run.scene.monitors)
-    slide.monitor_velocity.push_back(history.column(monitor.name + "_vx_m_s"));
-  const analysis::SlideMeasures measures = analysis::measure(slide, options);
+  const std::string joule = energy_unit(run.scene);
+  if (run.scene.grid.dimension == 3) options.thickness = 1.0;
+  const analysis::SlideMeasures measures = analysis::measure(
+      slide_record(run.scene, [&](const std::string& name) { return history.column(name); }),
+      options);
 
   const io::SeriesReader series(folder);
   const std::size_t thrown = render::thrown_off(series.read(series.size() - 1)).size();
@@ -87,6 +86,19 @@ std::vector<double> outputs_of(const PlannedRun& run, const nlohmann::ordered_js
 }
 
 } // namespace
+
+analysis::SlideRecord
+slide_record(const Scene& scene,
+             const std::function<std::vector<double>(const std::string&)>& column) {
+  analysis::SlideRecord slide{.time = column("time_s"),
+                              .monitor_velocity = {},
+                              .kinetic_energy = column("kinetic" + energy_unit(scene)),
+                              .rest_energy = column("grid_kinetic" + energy_unit(scene)),
+                              .front = column("front_x_m")};
+  for (const Monitor& monitor : scene.monitors)
+    slide.monitor_velocity.push_back(column(monitor.name + "_vx_m_s"));
+  return slide;
+}
 
 std::vector<std::string> result_columns(const io::Study& study, const Scene& scene) {
   std::vector<std::string> names = study.parameters;

@@ -1,15 +1,23 @@
 // What the finished runs of a study measure.
 #pragma once
 
+#include "core/analysis/measures.hpp"
 #include "core/scene.hpp"
 #include "io/study_file.hpp"
 #include "io/table.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace scarp::apps {
+
+/// What is measured on a run: its monitors, energies and front, out of a column of history.csv by
+/// its name.
+analysis::SlideRecord
+slide_record(const Scene& scene,
+             const std::function<std::vector<double>(const std::string&)>& column);
 
 struct StudyResults {
   std::vector<std::string> scenarios; ///< that have finished, in the study's order

@@ -1,5 +1,6 @@
 #include "apps/wu2017_case.hpp"
 
+#include "apps/study_results.hpp"
 #include "io/series.hpp"
 #include "render/body.hpp"
 
@@ -85,16 +86,10 @@ BaseCase read_base_case(const std::filesystem::path& folder, const Scene& scene,
   base.scene = scene;
   base.history = io::read_table(folder / "history.csv");
   const std::vector<double>& time = base.history.column("time_s");
-  analysis::SlideRecord record{.time = time,
-                               .monitor_velocity = {},
-                               .kinetic_energy = base.history.column("kinetic_J_per_m"),
-                               .rest_energy = base.history.column("grid_kinetic_J_per_m"),
-                               .front = base.history.column("front_x_m")};
-  for (const Monitor& monitor : scene.monitors) {
-    record.monitor_velocity.push_back(base.history.column(monitor.name + "_vx_m_s"));
-    base.velocity.push_back(
-        analysis::smooth({time, record.monitor_velocity.back()}, options.smoothing_width));
-  }
+  const analysis::SlideRecord record =
+      slide_record(scene, [&](const std::string& name) { return base.history.column(name); });
+  for (const std::vector<double>& velocity : record.monitor_velocity)
+    base.velocity.push_back(analysis::smooth({time, velocity}, options.smoothing_width));
   base.measures = analysis::measure(record, options);
   const double rest = base.measures.rest.value_or(time.back());
   if (!base.velocity.empty())
