@@ -1,6 +1,7 @@
 #include "apps/stress_checks.hpp"
 
 #include "core/drucker_prager.hpp"
+#include "core/time_step.hpp"
 
 #include <fmt/format.h>
 
@@ -69,7 +70,6 @@ StressLimits stress_limits(const Scene& scene) {
     limits.room *= extent;
   }
   double heaviest = 0.0;
-  double wave = 0.0; // m/s
   double lightest = std::numeric_limits<double>::infinity();
   limits.bulk = lightest;
   for (const Material& material : scene.materials) {
@@ -78,7 +78,6 @@ StressLimits stress_limits(const Scene& scene) {
     lightest = std::min(lightest, material.density);
     limits.impedance = std::max(limits.impedance, std::sqrt(moduli.p_wave() * material.density));
     limits.bulk = std::min(limits.bulk, moduli.bulk);
-    wave = std::max(wave, std::sqrt(moduli.p_wave() / material.density));
   }
   limits.density_ratio = heaviest / lightest;
 
@@ -101,8 +100,10 @@ StressLimits stress_limits(const Scene& scene) {
     limits.weight += heaviest * limits.body_force * (upper[i] - lower[i]);
 
   const double end = end_time(scene);
-  const double shortest = std::min(scene.timing.max_time_step, scene.timing.cfl * grid.cell_size /
-                                                                   (wave + limits.fastest(end)));
+  const double shortest =
+      std::min(scene.timing.max_time_step,
+               scene.timing.cfl * critical_step(grid.cell_size, critical_speed(scene),
+                                                limits.fastest(end), limits.body_force));
   // Frames, gates and stages cut a step in two.
   limits.steps = 1.01 * end / shortest + 100.0;
   return limits;

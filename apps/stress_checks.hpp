@@ -35,8 +35,8 @@
 //           it: log J = tau_m/K where nothing opens or dilates, both of which only add to J; so
 //           J >= exp(- bound/K)/2, where 1/2 is for the second order of the steps' products.
 //
-// steps     The stable step is that of waves and of the fastest point, so a run does not take more
-//           steps than c + the speed bound allow.
+// steps     The stable step is that of waves and of the fastest point (core/time_step.hpp), so a
+//           run does not take more steps than c, the speed bound and b allow.
 //
 // leaving   A point may leave the grid at a free side only, not faster than `speed`.
 #pragma once

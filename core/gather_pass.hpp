@@ -11,7 +11,7 @@
 namespace scarp {
 
 struct Gathered {
-  Real fastest = 0.0; ///< m/s, largest |v_p|
+  Real fastest = 0.0; ///< m/s, largest |v_p| and |dx_p / dt|
   /// The first point, in the order of creation, whose new position lies outside the grid or is not
   /// a number.
   std::uint32_t outside = no_point;
@@ -57,14 +57,15 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         }
       }
       Vec<Dim> v_p;
-      Real v2 = 0.0;
+      Real v2 = 0.0, v_grid2 = 0.0;
       for (std::size_t i = 0; i < Dim; ++i) {
         v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
         points.v[i][p] = v_p[i];
         points.dx[i][p] = dt * v_grid[i];
         v2 += v_p[i] * v_p[i];
+        v_grid2 += v_grid[i] * v_grid[i];
       }
-      fastest2 = std::max(fastest2, v2);
+      fastest2 = std::max({fastest2, v2, v_grid2});
       Vec<Dim> x_new;
       for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
       if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);

@@ -4,6 +4,7 @@
 #include "core/grid_index.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scarp {
@@ -46,6 +47,16 @@ template <int Dim> void Loads<Dim>::update(double time) {
     common_ = scaled(factors.empty() ? all : factors.front());
   else
     for (const double factor : factors) own_.push_back(scaled(factor));
+}
+
+template <int Dim> Real Loads<Dim>::largest() const {
+  Real most2 = 0.0;
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    Real b2 = 0.0;
+    for (const Real component : force(r)) b2 += component * component;
+    most2 = std::max(most2, b2);
+  }
+  return std::sqrt(most2);
 }
 
 template <int Dim> Vec<Dim> Loads<Dim>::force(std::size_t region) const {

@@ -23,6 +23,9 @@ template <int Dim> class Loads {
   /// m/s2, by region; empty where the regions agree.
   const std::vector<Vec<Dim>>& own() const { return own_; }
 
+  /// m/s2, the size of the largest of them.
+  Real largest() const;
+
   /// J, - sum m b . x with the present forces.
   Real potential(const Particles<Dim>& points) const;
   /// J, done by the forces since the first call of settle().

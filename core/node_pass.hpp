@@ -39,6 +39,11 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 /// v_I += dt (f_int + m g + f_damping)_I / m_I; keeps the change in dv for the FLIP increment.
 /// Local damping: each component of the unbalanced force loses the part `damping` of its size
 /// against the motion (Cundall 1987).
+/// Friction sides see all the momentum that goes into them, that of the points and that of the
+/// step's force: a node that its points still press into the wall does not leave it because of a
+/// pull, which would work on the points and on no strain.
+/// The work of damping and walls is booked with the velocity before the step, the mean of the
+/// points': what an impulse changes on a node of little mass the points hardly see.
 template <int Dim, class Shape>
 void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
                            const std::type_identity_t<Vec<Dim>>& gravity, Real damping, Real dt) {
@@ -51,23 +56,31 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       for (std::size_t i = 0; i < Dim; ++i) node.f[i] += tile.f[c][i];
     }
     Vec<Dim> drag = {};
+    node.damped = 0.0;
     if (damping > 0.0)
       for (std::size_t i = 0; i < Dim; ++i)
-        if (node.v[i] != 0.0) drag[i] = -damping * std::copysign(node.f[i], node.v[i]);
-    const Real dt_over_m = node.m > 0.0 ? dt / node.m : 0.0;
-    const Vec<Dim> before = node.v;
-    for (std::size_t i = 0; i < Dim; ++i) node.v[i] += dt_over_m * (node.f[i] + drag[i]);
+        if (node.v[i] != 0.0) {
+          drag[i] = -damping * std::copysign(node.f[i], node.v[i]);
+          node.damped -= dt * drag[i] * node.v[i];
+        }
+    const Real inv_m = node.m > 0.0 ? 1.0 / node.m : 0.0;
+    Vec<Dim> before;
+    for (std::size_t i = 0; i < Dim; ++i) before[i] = node.mv[i] * inv_m;
+    walls.constrain(at.index, before);
+    for (std::size_t i = 0; i < Dim; ++i)
+      node.v[i] = before[i] + dt * inv_m * (node.f[i] + drag[i]);
     walls.constrain(at.index, node.v);
     node.rubbed = 0.0;
     if (walls.have_friction()) {
       const Vec<Dim> free = node.v;
       walls.resist(at.index, node.v);
-      for (std::size_t i = 0; i < Dim; ++i)
-        node.rubbed += node.m * (free[i] - node.v[i]) * node.v[i];
+      Real early = 0.0, late = 0.0; // a node that is stopped at once has lost half of `early`
+      for (std::size_t i = 0; i < Dim; ++i) {
+        early += node.m * (free[i] - node.v[i]) * before[i];
+        late += node.m * (free[i] - node.v[i]) * node.v[i];
+      }
+      node.rubbed = std::min(early, 0.5 * (early + late));
     }
-    // Forces work on the velocity that the points move with.
-    node.damped = 0.0;
-    for (std::size_t i = 0; i < Dim; ++i) node.damped -= dt * drag[i] * node.v[i];
     for (std::size_t i = 0; i < Dim; ++i) node.dv[i] = node.v[i] - before[i];
   });
 }

@@ -11,6 +11,7 @@
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
 #include "core/stress_pass.hpp"
+#include "core/time_step.hpp"
 #include "core/walls.hpp"
 
 #include <algorithm>
@@ -27,13 +28,13 @@ using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate>;
 /// A material with everything that its constants give, worked out once.
 struct MaterialModel {
   ElasticModuli moduli;
-  Real wave_speed; ///< m/s, of the unloaded material
+  Real density; ///< kg/m3, before loading
   AnyUpdate update;
   bool opens = false; ///< remembers gaps
 
   explicit MaterialModel(const Material& material)
       : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
-        wave_speed(std::sqrt(moduli.p_wave() / material.density)) {
+        density(material.density) {
     if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
       update = DruckerPragerUpdate::from(*law, moduli);
       opens = law->opening == Opening::remembered;
@@ -145,11 +146,14 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   double stable_time_step() const override {
-    Real wave_speed = 0.0;
+    Real wave = 0.0;
     for (const std::uint8_t material : material_of_region_)
-      wave_speed = std::max(wave_speed, materials_[material].wave_speed);
-    return std::min(scene_.timing.max_time_step,
-                    scene_.timing.cfl * state_.grid.h / (wave_speed + fastest_));
+      wave = std::max(wave, critical_speed<Dim, Shape>(materials_[material].moduli,
+                                                       materials_[material].density,
+                                                       state_.half_point));
+    return std::min(
+        scene_.timing.max_time_step,
+        scene_.timing.cfl * critical_step(state_.grid.h, wave, fastest_, loads_.largest()));
   }
 
   Energies energies() const override;

@@ -34,6 +34,9 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
     return {first ? 0.0 : -0.5, 0.5, last ? 1.0 : 1.5};
   }
 
+  /// See core/time_step.hpp: 4 + 4 s^2 / (3/4 - s^2), largest on the planes between cells.
+  static Real gradient_bound(Real) { return 6.0; }
+
   static std::array<Real, 3> shares(bool first, bool last) {
     const Real below = first ? 1.0 / 3.0 : 1.0 / 6.0;
     const Real above = last ? 1.0 / 3.0 : 1.0 / 6.0;
