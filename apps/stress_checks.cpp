@@ -54,7 +54,7 @@ double StressLimits::fastest(double time) const {
 }
 
 double StressLimits::stress(double largest_speed) const {
-  return 2.0 * impedance * largest_speed + stress_concentration * weight;
+  return 2.0 * waves * impedance * largest_speed + stress_concentration * weight;
 }
 
 StressLimits stress_limits(const Scene& scene) {
@@ -78,6 +78,7 @@ StressLimits stress_limits(const Scene& scene) {
     lightest = std::min(lightest, material.density);
     limits.impedance = std::max(limits.impedance, std::sqrt(moduli.p_wave() * material.density));
     limits.bulk = std::min(limits.bulk, moduli.bulk);
+    limits.waves = std::max(limits.waves, grid.dimension * moduli.bulk / moduli.p_wave());
   }
   limits.density_ratio = heaviest / lightest;
 
@@ -103,7 +104,7 @@ StressLimits stress_limits(const Scene& scene) {
   const double shortest =
       std::min(scene.timing.max_time_step,
                scene.timing.cfl * critical_step(grid.cell_size, critical_speed(scene),
-                                                limits.fastest(end), limits.body_force));
+                                                limits.fastest(end), limits.body_force, 2.0));
   // Frames, gates and stages cut a step in two.
   limits.steps = 1.01 * end / shortest + 100.0;
   return limits;

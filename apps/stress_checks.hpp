@@ -25,11 +25,13 @@
 //           sqrt(rho_max/rho_min).  So |v_p| <= 2 sqrt(rho_max/rho_min) v.
 //
 // stress    Along a characteristic of the wave equation sigma +- rho c v changes only by the body
-//           force, rho b times the path.  Two waves meet: |sigma_m| <= 2 max(rho c) v_max +
-//           stress_concentration max(rho) b L, with v_max the fastest point up to now, L the sum of
-//           the body's extents and a factor for corners and for the linear shape functions, whose
-//           stress jumps by about the stress itself as a point crosses a cell.  sigma_m is the mean
-//           Kirchhoff stress, tau = J sigma, which the force holds with a fixed weight.
+//           force, rho b times the path.  Two waves meet, along every axis at once; of the stress
+//           of a plane wave K / (K + 4/3 G) is mean stress: |sigma_m| <= 2 max(1, d K / (K + 4/3
+//           G)) max(rho c) v_max + stress_concentration max(rho) b L, with d the dimension, v_max
+//           the fastest point up to now, L the sum of the body's extents and a factor for corners
+//           and for the linear shape functions, whose stress jumps by about the stress itself as a
+//           point crosses a cell.  sigma_m is the mean Kirchhoff stress, tau = J sigma, which the
+//           force holds with a fixed weight.
 //
 // volume    A point is not larger than the grid.  It is not smaller than the stress bound presses
 //           it: log J = tau_m/K where nothing opens or dilates, both of which only add to J; so
@@ -67,6 +69,7 @@ struct StressLimits {
   double speed = 0.0;         ///< v0, m/s
   double density_ratio = 1.0; ///< rho_max/rho_min
   double impedance = 0.0;     ///< max rho c, Pa s/m
+  double waves = 1.0;         ///< max(1, d K / (K + 4/3 G))
   double weight = 0.0;        ///< max(rho) b L, Pa
   double bulk = 0.0;          ///< the smallest K, Pa
   double room = 0.0;          ///< of the grid, m3 (m2 in plane strain)

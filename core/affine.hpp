@@ -13,48 +13,52 @@ namespace scarp {
 /// (Jiang et al. 2015, doi 10.1145/2766996), which is diagonal for products of functions that
 /// reproduce linear ones.  Linear functions give q_I = grad N_I.
 template <int Dim, class Shape> struct AffineWeights {
-  std::array<Vec<Dim>, Shape::nodes> r; ///< m
-  std::array<Vec<Dim>, Shape::nodes> q; ///< 1/m
+  typename Shape::Along r; ///< m, by axis and place
+  typename Shape::Along q; ///< 1/m, of the axis alone
 
   AffineWeights(const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell) {
-    typename Shape::Along along_r, along_q;
     for (std::size_t a = 0; a < Dim; ++a) {
       const auto places = Shape::positions(cell.first[a], cell.last[a]);
       Real D = 0.0;
       for (std::size_t k = 0; k < places.size(); ++k) {
-        along_r[a][k] = places[k] - xi[a];
-        D += shape.w[a][k] * along_r[a][k] * along_r[a][k];
+        r[a][k] = (places[k] - xi[a]) * cell.h;
+        D += shape.w[a][k] * r[a][k] * r[a][k];
       }
       const Real inv_D = 1.0 / std::max(D, std::numeric_limits<Real>::min());
       for (std::size_t k = 0; k < places.size(); ++k)
-        along_q[a][k] = Shape::layout == NodeLayout::corner
-                            ? (k == 0 ? -cell.inv_h : cell.inv_h)
-                            : shape.w[a][k] * along_r[a][k] * inv_D * cell.inv_h;
-    }
-    for (std::size_t c = 0; c < Shape::nodes; ++c) {
-      const auto k = Shape::places(c);
-      for (std::size_t a = 0; a < Dim; ++a) {
-        r[c][a] = along_r[a][k[a]] * cell.h;
-        q[c][a] = along_q[a][k[a]];
-        for (std::size_t b = 0; b < Dim; ++b)
-          if (b != a) q[c][a] *= shape.w[b][k[b]];
-      }
+        q[a][k] = Shape::layout == NodeLayout::corner ? (k == 0 ? -cell.inv_h : cell.inv_h)
+                                                      : shape.w[a][k] * r[a][k] * inv_D;
     }
   }
 };
 
 /// mv_I += m_p C_p r_I N_I
+/// Next to a mirror (core/node_pass.hpp) the control point takes what its image would, N_I r_I -
+/// N_image r_image = N_I r_I +- h/2 N_held, so that the velocity of a uniform strain is kept.
 template <int Dim, class Shape>
 void add_affine_momentum(std::array<Vec<Dim>, Shape::nodes>& mv, const Particles<Dim>& points,
                          const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
                          std::size_t p) {
   const AffineWeights<Dim, Shape> weights(shape, xi, cell);
-  for (std::size_t c = 0; c < Shape::nodes; ++c)
-    for (std::size_t i = 0; i < Dim; ++i) {
-      Real v = 0.0;
-      for (std::size_t j = 0; j < Dim; ++j) v += points.C[Dim * i + j][p] * weights.r[c][j];
-      mv[c][i] += points.m[p] * shape.N[c] * v;
+  const Real m = points.m[p];
+  const auto moment = [&](std::size_t axis, std::size_t k, std::size_t component) {
+    Real sum = shape.w[axis][k] * weights.r[axis][k];
+    if (Shape::layout == NodeLayout::spline && k == 1) {
+      if (cell.odd[axis][0] >> component & 1U) sum += 0.5 * cell.h * shape.w[axis].front();
+      if (cell.odd[axis][1] >> component & 1U) sum -= 0.5 * cell.h * shape.w[axis].back();
     }
+    return sum;
+  };
+  for (std::size_t c = 0; c < Shape::nodes; ++c) {
+    const auto k = Shape::places(c);
+    for (std::size_t i = 0; i < Dim; ++i)
+      for (std::size_t j = 0; j < Dim; ++j) {
+        Real Nr = moment(j, k[j], i);
+        for (std::size_t b = 0; b < Dim; ++b)
+          if (b != j) Nr *= shape.w[b][k[b]];
+        mv[c][i] += m * points.C[Dim * i + j][p] * Nr;
+      }
+  }
 }
 
 /// C_p = sum_I v_I (x) q_I
@@ -63,10 +67,19 @@ void gather_affine(Particles<Dim>& points, const std::array<Vec<Dim>, Shape::nod
                    const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
                    std::size_t p) {
   const AffineWeights<Dim, Shape> weights(shape, xi, cell);
+  std::array<Vec<Dim>, Shape::nodes> q;
+  for (std::size_t c = 0; c < Shape::nodes; ++c) {
+    const auto k = Shape::places(c);
+    for (std::size_t a = 0; a < Dim; ++a) {
+      q[c][a] = weights.q[a][k[a]];
+      for (std::size_t b = 0; b < Dim; ++b)
+        if (b != a) q[c][a] *= shape.w[b][k[b]];
+    }
+  }
   for (std::size_t i = 0; i < Dim; ++i)
     for (std::size_t j = 0; j < Dim; ++j) {
       Real sum = 0.0;
-      for (std::size_t c = 0; c < Shape::nodes; ++c) sum += v_I[c][i] * weights.q[c][j];
+      for (std::size_t c = 0; c < Shape::nodes; ++c) sum += v_I[c][i] * q[c][j];
       points.C[Dim * i + j][p] = sum;
     }
 }

@@ -51,6 +51,7 @@ template <class T = Real> struct PlasticStep {
   /// -, increment of the equivalent plastic strain sqrt(2/3 de:de), deviatoric
   T strain = 0.0;
   T dissipation = 0.0; ///< J/m3
+  T forgotten = 0.0;   ///< -, volumetric strain of a gap that the law does not remember
 };
 
 struct ElasticUpdate {
@@ -124,7 +125,8 @@ struct DruckerPragerUpdate {
 
     // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
     const T slip = (tau_trial - tau) * inv_shear;
-    return {slip * inv_sqrt3, tau * slip + mean * ((mean_open - mean) * inv_bulk - gap)};
+    return {slip * inv_sqrt3, tau * slip + mean * ((mean_open - mean) * inv_bulk - gap),
+            (mean_cone - mean) * inv_bulk - gap};
   }
 
   /// The same with Opening::forgotten.

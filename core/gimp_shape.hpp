@@ -37,10 +37,15 @@ template <int Dim> struct GimpShape : Stencil<Dim, 4> {
     this->multiply(dw);
   }
 
+  /// Largest slope at a wall, 1/cell.
+  static constexpr Real steepest = 1.0;
+
   static constexpr std::array<Real, 4> positions(bool, bool) { return {-1.0, 0.0, 1.0, 2.0}; }
 
   /// See core/time_step.hpp: 1/l for each function that a point's end cuts, l half its length.
-  static Real gradient_bound(Real half_point) { return 2.0 / half_point + 1.0 / (1.0 - half_point); }
+  static Real gradient_bound(Real half_point) {
+    return 2.0 / half_point + 1.0 / (1.0 - half_point);
+  }
 
   /// The body's part of a node is that of the linear function: averaging over points that fill it
   /// changes nothing.

@@ -5,6 +5,7 @@
 #include "core/types.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 namespace scarp {
 
@@ -50,6 +51,9 @@ template <int Dim> struct GridIndex {
   std::array<int, most_corners> corner_offset = {};
   int cell_count;
   int node_count;
+  /// By axis and side: bit i, component i of velocities is odd there, held at 0 and mirrored.  For
+  /// B-splines only (core/node_pass.hpp), else 0.
+  std::array<std::array<std::uint8_t, 2>, Dim> odd = {};
 
   explicit GridIndex(const Grid& grid, NodeLayout node_layout = NodeLayout::corner)
       : h(grid.cell_size), inv_h(1.0 / grid.cell_size), layout(node_layout),
@@ -64,11 +68,19 @@ template <int Dim> struct GridIndex {
       cell_count *= cells[i];
       nodes[i] = cells[i] + width - 1;
       node_count *= nodes[i];
+      if (layout == NodeLayout::spline)
+        for (std::size_t side = 0; side < 2; ++side)
+          odd[i][side] = odd_components(grid.walls[scene_axis<Dim>(a)][side], a);
     }
     for (int c = 0; c < corners; ++c)
       for (int a = 0, rest = c; a < Dim; ++a, rest /= width)
         corner_offset[static_cast<std::size_t>(c)] +=
             rest % width * node_stride[static_cast<std::size_t>(a)];
+  }
+
+  static std::uint8_t odd_components(const Wall& wall, int axis) {
+    if (wall.kind == WallKind::fixed) return (1U << Dim) - 1U;
+    return static_cast<std::uint8_t>(wall.kind == WallKind::symmetry ? 1U << axis : 0U);
   }
 
   /// The farthest node from a cell's lowest one.

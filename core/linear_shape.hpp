@@ -21,6 +21,9 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
     this->multiply(dw);
   }
 
+  /// Largest slope at a wall, 1/cell.
+  static constexpr Real steepest = 1.0;
+
   /// Of the nodes along an axis, in cells from the cell's lower end.
   static constexpr std::array<Real, 2> positions(bool, bool) { return {0.0, 1.0}; }
 

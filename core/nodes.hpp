@@ -19,14 +19,15 @@ template <int Dim, int corners> struct CellTile {
 };
 
 template <int Dim> struct NodeState {
-  Real m;        ///< kg
-  Real fraction; ///< -, see GridState::tracks_fraction
-  Vec<Dim> mv;   ///< kg m/s
-  Vec<Dim> f;    ///< N
-  Vec<Dim> v;    ///< m/s, after the latest constraint
-  Vec<Dim> dv;   ///< m/s, change by the forces of this step
-  Real damped;   ///< J, taken by local damping in this step
-  Real rubbed;   ///< J, taken by friction on walls in this step
+  Real m;         ///< kg
+  Vec<Dim> inv_m; ///< 1/kg, of what moves with each component; 0 without mass
+  Real fraction;  ///< -, see GridState::tracks_fraction
+  Vec<Dim> mv;    ///< kg m/s
+  Vec<Dim> f;     ///< N
+  Vec<Dim> v;     ///< m/s, after the latest constraint
+  Vec<Dim> dv;    ///< m/s, change by the forces of this step
+  Real damped;    ///< J, taken by local damping in this step
+  Real rubbed;    ///< J, taken by friction on walls in this step
 };
 
 template <int Dim, class Shape> struct GridState {

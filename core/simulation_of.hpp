@@ -148,12 +148,12 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   double stable_time_step() const override {
     Real wave = 0.0;
     for (const std::uint8_t material : material_of_region_)
-      wave = std::max(wave, critical_speed<Dim, Shape>(materials_[material].moduli,
-                                                       materials_[material].density,
-                                                       state_.half_point));
-    return std::min(
-        scene_.timing.max_time_step,
-        scene_.timing.cfl * critical_step(state_.grid.h, wave, fastest_, loads_.largest()));
+      wave = std::max(wave,
+                      critical_speed<Dim, Shape>(materials_[material].moduli,
+                                                 materials_[material].density, state_.half_point));
+    return std::min(scene_.timing.max_time_step,
+                    scene_.timing.cfl * critical_step(state_.grid.h, wave, fastest_,
+                                                      loads_.largest(), Shape::steepest));
   }
 
   Energies energies() const override;

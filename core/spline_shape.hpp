@@ -29,6 +29,9 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
     this->multiply(dw);
   }
 
+  /// Largest slope at a wall, 1/cell.
+  static constexpr Real steepest = 2.0;
+
   /// Greville's: sum_k N_k x_k = x.
   static constexpr std::array<Real, 3> positions(bool first, bool last) {
     return {first ? 0.0 : -0.5, 0.5, last ? 1.0 : 1.5};

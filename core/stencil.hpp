@@ -14,6 +14,8 @@ template <int Dim> struct StencilCell {
   Real half_point;             ///< half the length of a point, in cells
   std::array<bool, Dim> first; ///< whether the cell is the grid's first along an axis
   std::array<bool, Dim> last;
+  /// See GridIndex: of the sides that the cell lies at.
+  std::array<std::array<std::uint8_t, 2>, Dim> odd;
 
   StencilCell(const GridIndex<Dim>& grid, int cell, Real half_point_length)
       : h(grid.h), inv_h(grid.inv_h), half_point(half_point_length) {
@@ -23,6 +25,8 @@ template <int Dim> struct StencilCell {
       corner[i] = along;
       first[i] = along == 0;
       last[i] = along + 1 == grid.cells[i];
+      odd[i][0] = first[i] ? grid.odd[i][0] : std::uint8_t{0};
+      odd[i][1] = last[i] ? grid.odd[i][1] : std::uint8_t{0};
       cell %= grid.cell_stride[i];
     }
   }

@@ -116,6 +116,7 @@ template <int Dim> struct StressBatch {
   SymTensor<Dim, Lanes> tau = {};
   Lanes strain = {};
   Lanes dissipation = {};
+  Lanes forgotten = {};
   Lanes gap = {};
   Lanes room = {};
 };
@@ -142,6 +143,7 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
     for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_to(&batch.tau[i][k], plain);
     plastic.strain.copy_to(&batch.strain[k], plain);
     plastic.dissipation.copy_to(&batch.dissipation[k], plain);
+    plastic.forgotten.copy_to(&batch.forgotten[k], plain);
   }
 
   for (std::size_t i = 0; i < batch.tau.size(); ++i)
@@ -153,7 +155,8 @@ void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
     points.dissipation[p] += batch.dissipation[k];
     Real volumetric = batch.dilation[k];
     for (std::size_t i = 0; i < Dim; ++i) volumetric += batch.grad_v[i][i][k];
-    points.J[p] *= 1.0 + dt * volumetric;
+    // A gap that is not remembered is no volume of the material either: else it adds up for ever.
+    points.J[p] *= (1.0 + dt * volumetric) / (1.0 + batch.forgotten[k]);
   }
   batch.size = 0;
 }

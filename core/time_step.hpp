@@ -12,8 +12,9 @@
 // grows without bound as a point nears a cell's end; the step is then the one of a mesh of full
 // cells, h / c with the speed c of P-waves.
 //
-// Motion.  A point goes at most the same part of a cell as of the critical step: dt <= h / v, and
-// dt <= sqrt(h / b) where a body force b sets it going.
+// Motion.  A point does not overtake the wall that it falls on: dt v |grad N| h <= h, with the
+// steepest function at a wall (Shape::steepest / h), dt <= h / (steepest v), and dt <= sqrt(h /
+// (steepest b)) where a body force b sets it going.
 #pragma once
 
 #include "core/drucker_prager.hpp"
@@ -39,10 +40,11 @@ Real critical_speed(const ElasticModuli& moduli, Real density, Real half_point) 
 /// The largest of a scene's materials.
 Real critical_speed(const Scene& scene);
 
-/// s; `fastest`: of the points, m/s; `body_force`: m/s2.
-inline Real critical_step(Real h, Real wave, Real fastest, Real body_force) {
-  const Real of_speeds = h / (wave + fastest);
-  return body_force > 0.0 ? std::min(of_speeds, std::sqrt(h / body_force)) : of_speeds;
+/// s; `wave`: critical_speed, m/s; `fastest`: of the points, m/s; `body_force`: m/s2; `steepest`:
+/// of the shape functions.
+inline Real critical_step(Real h, Real wave, Real fastest, Real body_force, Real steepest) {
+  const Real of_speeds = h / (wave + steepest * fastest);
+  return body_force > 0.0 ? std::min(of_speeds, std::sqrt(h / (steepest * body_force))) : of_speeds;
 }
 
 } // namespace scarp

@@ -22,6 +22,7 @@ Walls<Dim>::Walls(const Scene& scene, const GridIndex<Dim>& grid) : grid_(&grid)
       throw SetupError("gate '" + gate.name + "': must lie on a plane of the grid");
   }
   rebuild(0.0);
+  if (grid.layout == NodeLayout::spline) find_mirrors();
 }
 
 template <int Dim> void Walls<Dim>::open_gates(double time) {
@@ -79,6 +80,27 @@ template <int Dim> void Walls<Dim>::rebuild(double time) {
     const std::size_t axis = grid_axis<Dim>(gate.axis);
     const int plane = static_cast<int>(std::lround(grid_->scaled(gate.position, axis)));
     for_each_node_on(axis, plane, [&](std::size_t n) { held_[n] |= bit(axis); });
+  }
+}
+
+/// One mirror for each set of sides that a node is next to.
+template <int Dim> void Walls<Dim>::find_mirrors() {
+  constexpr std::size_t sets = power(4, Dim); // lower, upper or both, along each axis
+  mirrors_.assign(sets, {});
+  for (std::size_t set = 0; set < sets; ++set)
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      if (set >> 2 * axis & 1U) mirrors_[set].lower[axis] = grid_->odd[axis][0];
+      if (set >> 2 * axis & 2U) mirrors_[set].upper[axis] = grid_->odd[axis][1];
+    }
+  next_to_mirror_.assign(held_.size(), 0);
+  for (int node = 0; node < grid_->node_count; ++node) {
+    std::uint8_t& set = next_to_mirror_[static_cast<std::size_t>(node)];
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      const int along = node / grid_->node_stride[axis] % grid_->nodes[axis];
+      if (along == 1 && grid_->odd[axis][0] != 0) set |= static_cast<std::uint8_t>(1U << 2 * axis);
+      if (along == grid_->nodes[axis] - 2 && grid_->odd[axis][1] != 0)
+        set |= static_cast<std::uint8_t>(2U << 2 * axis);
+    }
   }
 }
 

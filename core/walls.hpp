@@ -31,6 +31,20 @@ template <int Dim> class Walls {
       if (mask >> i & 1U) v[i] = 0.0;
   }
 
+  /// Sides that hold the first control points of B-splines at 0 are mirrors in which a velocity is
+  /// odd.  The control point next to such a side then moves with its image, and its inertia is that
+  /// of both, its own and that of the held one: core/node_pass.hpp.
+  struct Mirror {
+    std::array<std::uint8_t, Dim> lower = {}; ///< by axis: bit i, component i is odd
+    std::array<std::uint8_t, Dim> upper = {};
+  };
+  /// Of a node next to such sides, else null.
+  const Mirror* mirror(int node) const {
+    if (next_to_mirror_.empty()) return nullptr;
+    const std::uint8_t which = next_to_mirror_[static_cast<std::size_t>(node)];
+    return which == 0 ? nullptr : &mirrors_[which];
+  }
+
   /// Coulomb's law along friction sides: the impulse that stops the motion into the wall allows a
   /// tangential impulse of at most `friction_coefficient` times it.
   void resist(int node, Vec<Dim>& v) const {
@@ -52,6 +66,7 @@ template <int Dim> class Walls {
   };
 
   void rebuild(double time);
+  void find_mirrors();
   void rub(int node, Vec<Dim>& v, bool tangential) const;
 
   const GridIndex<Dim>* grid_;
@@ -60,6 +75,8 @@ template <int Dim> class Walls {
   std::vector<std::uint8_t> held_; ///< by node: bit i, component i is held at 0
   std::vector<std::uint8_t> rubs_; ///< by node: bit k, friction side k; empty if there is none
   std::vector<Side> friction_sides_;
+  std::vector<std::uint8_t> next_to_mirror_; ///< by node: index into mirrors_, 0: none
+  std::vector<Mirror> mirrors_;
 };
 
 } // namespace scarp
