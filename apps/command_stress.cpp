@@ -20,6 +20,7 @@ namespace {
 struct Options {
   std::size_t scenes = 2000;
   std::uint64_t seed = 1;
+  Preset preset = Preset::accurate;
   int jobs = 0;
   std::filesystem::path out;
 };
@@ -33,7 +34,7 @@ std::string write_scene(const Options& options, std::size_t number) {
   std::string name = fmt::format("failed/{:04}.toml", number);
   make_directory(options.out / "failed");
   io::write_atomically(options.out / name,
-                       io::scene_to_toml(stress_scene(options.seed, number).scene));
+                       io::scene_to_toml(stress_scene(options.preset, options.seed, number).scene));
   return name;
 }
 
@@ -109,8 +110,8 @@ void run(const Options& options) {
   StudyProgress progress;
   StudyState state{.scenarios = options.scenes};
   const int jobs = options.jobs > 0 ? options.jobs : omp_get_num_procs();
-  const auto results =
-      run_stress_scenes(options.seed, options.scenes, jobs, [&](const StressResult& result) {
+  const auto results = run_stress_scenes(
+      options.preset, options.seed, options.scenes, jobs, [&](const StressResult& result) {
         ++state.finished;
         if (result.failure) ++state.failed;
         state.part = static_cast<double>(state.finished) / static_cast<double>(options.scenes);
@@ -131,6 +132,12 @@ void add_stress(CLI::App& program) {
   command->add_option("--scenes", options->scenes, "How many; default 2000")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", options->seed, "What they are drawn from; default 1");
+  command
+      ->add_option("--preset", options->preset,
+                   "Of the method: accurate (default), or fidelity, with MUSL and USF")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Preset>{
+          {"accurate", Preset::accurate}, {"fidelity", Preset::fidelity}}))
+      ->default_str("accurate");
   command->add_option("--jobs", options->jobs, "Scenes side by side; default: one a processor")
       ->check(CLI::Range(1, 1024));
   command->footer("A scene that fails is written as a scene file, for `scarp run`.\n"

@@ -14,11 +14,12 @@ constexpr double standard_gravity = 9.81; // m/s2
 
 } // namespace
 
-StressDraft::StressDraft(std::uint64_t seed, std::size_t number) : random_(seed, number) {
+StressDraft::StressDraft(Preset preset, std::uint64_t seed, std::size_t number)
+    : random_(seed, number) {
   start_grid();
   start_body();
   choose_gravity();
-  choose_method();
+  choose_method(preset);
 }
 
 Scene StressDraft::finish() {
@@ -54,10 +55,12 @@ void StressDraft::choose_gravity() {
   scene_.gravity = {g * std::sin(tilt), 0.0, -g * std::cos(tilt)};
 }
 
-void StressDraft::choose_method() {
-  Method& method = scene_.method;
-  // usl is left out: it is known to throw points (its strain follows light nodes).
-  method.scheme = random_.chance(0.7) ? Scheme::musl : Scheme::usf;
+void StressDraft::choose_method(Preset preset) {
+  Method& method = scene_.method = method_of(preset);
+  // Of the published ones; usl is left out: it is known to throw points (its strain follows light
+  // nodes).
+  const bool usf = !random_.chance(0.7);
+  if (usf && preset == Preset::fidelity) method.scheme = Scheme::usf;
   method.flip = random_.chance(0.4) ? 1.0 : random_.between(0.9, 1.0);
   method.local_damping = random_.chance(0.2) ? random_.between(0.0, 0.5) : 0.0;
   scene_.timing.cfl = random_.between(0.1, 0.9);

@@ -40,7 +40,7 @@ using Shape = std::vector<std::array<double, 2>>;
 /// cells and times in parts of the run until finish().
 class StressDraft {
  public:
-  StressDraft(std::uint64_t seed, std::size_t number);
+  StressDraft(Preset preset, std::uint64_t seed, std::size_t number);
 
   /// The grid around the body, its walls, and how long the run takes.
   Scene finish();
@@ -67,7 +67,7 @@ class StressDraft {
   void start_grid();
   void start_body();
   void choose_gravity();
-  void choose_method();
+  void choose_method(Preset preset);
   DruckerPrager soil(double weight);
   Wall wall();
   void close_grid();

@@ -76,7 +76,8 @@ StressResult run_stress_scene(const StressScene& stress) {
   return result;
 }
 
-std::vector<StressResult> run_stress_scenes(std::uint64_t seed, std::size_t count, int jobs,
+std::vector<StressResult> run_stress_scenes(Preset preset, std::uint64_t seed, std::size_t count,
+                                            int jobs,
                                             const std::function<void(const StressResult&)>& done) {
   std::vector<StressResult> results(count);
   std::atomic<std::size_t> next = 0;
@@ -86,7 +87,7 @@ std::vector<StressResult> run_stress_scenes(std::uint64_t seed, std::size_t coun
     omp_set_num_threads(1); // of this thread's parallel regions
     try {
       for (std::size_t k = next++; k < count; k = next++) {
-        results[k] = run_stress_scene(stress_scene(seed, k));
+        results[k] = run_stress_scene(stress_scene(preset, seed, k));
         const std::lock_guard lock(one_at_a_time);
         done(results[k]);
       }

@@ -27,7 +27,8 @@ StressResult run_stress_scene(const StressScene& stress);
 
 /// Scenes 0 .. count - 1 of a seed, `jobs` side by side on one thread each; in their order.
 /// Calls done(result) after each, from one thread at a time.
-std::vector<StressResult> run_stress_scenes(std::uint64_t seed, std::size_t count, int jobs,
+std::vector<StressResult> run_stress_scenes(Preset preset, std::uint64_t seed, std::size_t count,
+                                            int jobs,
                                             const std::function<void(const StressResult&)>& done);
 
 } // namespace scarp::apps

@@ -186,9 +186,9 @@ const std::vector<std::string>& stress_families() {
   return names;
 }
 
-StressScene stress_scene(std::uint64_t seed, std::size_t number) {
+StressScene stress_scene(Preset preset, std::uint64_t seed, std::size_t number) {
   const Family& family = families()[number % families().size()];
-  Draft draft(seed, number);
+  Draft draft(preset, seed, number);
   (draft.*family.draw)();
   Scene scene = draft.finish();
   scene.title = "stress " + family.name + ", scene " + std::to_string(number) + " of seed " +

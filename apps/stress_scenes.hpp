@@ -19,6 +19,6 @@ struct StressScene {
 const std::vector<std::string>& stress_families();
 
 /// Scene `number` of a seed; it depends on these two only, and is the same on every machine.
-StressScene stress_scene(std::uint64_t seed, std::size_t number);
+StressScene stress_scene(Preset preset, std::uint64_t seed, std::size_t number);
 
 } // namespace scarp::apps

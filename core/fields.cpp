@@ -8,6 +8,9 @@ const std::vector<FieldInfo>& field_table() {
   static const std::vector<FieldInfo> table = {
       {"displacement", 3, "m", "since time 0"},
       {"velocity", 3, "m/s", ""},
+      {"velocity_gradient", 9, "1/s",
+       "around the point, xx xy xz yx yy yz zx zy zz with the component of the velocity first; 0 "
+       "unless method.transfer is affine"},
       {"stress", 6, "Pa", "Cauchy stress, tension positive"},
       {"mean_stress", 1, "Pa", "tr(sigma)/3, tension positive"},
       {"deviatoric_stress", 1, "Pa", "sqrt(J2)"},

@@ -71,8 +71,7 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 /// J, that an impulse against the motion (N s, by component) takes: with the mean of the velocities
 /// before and after the step, as far as that is of the order of the one before.  What an impulse
 /// changes on a node of little mass its points hardly see.
-template <int Dim>
-Real taken_work(const Vec<Dim>& before, const Vec<Dim>& after, auto&& impulse) {
+template <int Dim> Real taken_work(const Vec<Dim>& before, const Vec<Dim>& after, auto&& impulse) {
   Real work = 0.0;
   for (std::size_t i = 0; i < Dim; ++i) {
     const Real most = std::abs(before[i]);

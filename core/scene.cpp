@@ -13,6 +13,16 @@ double Ramp::at(double time) const {
   return f0 + (f1 - f0) * (time - t0) / (t1 - t0);
 }
 
+Method method_of(Preset preset) {
+  Method method;
+  method.preset = preset;
+  if (preset == Preset::accurate) {
+    method.shape = ShapeFunctions::bspline;
+    method.transfer = VelocityTransfer::apic;
+  }
+  return method;
+}
+
 double end_time(const Scene& scene) {
   if (scene.stages.empty()) return scene.timing.end_time;
   double end = 0.0;

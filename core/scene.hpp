@@ -103,7 +103,13 @@ enum class VelocityTransfer { flip, apic, aflip };
 /// The rate of volume of a point: its own, or the mean of its cell (core/stress_pass.hpp).
 enum class VolumeRate { point, cell_average };
 
+/// Combinations of the options of Method.  fidelity: as published for landslides (linear functions,
+/// MUSL, FLIP; Wu 2017). accurate: quadratic B-splines and APIC, which do not lock and do not blow
+/// up (README, "Stress tests").
+enum class Preset { fidelity, accurate };
+
 struct Method {
+  Preset preset = Preset::fidelity; ///< that the rest started from; has no effect of its own
   Scheme scheme = Scheme::musl;
   ShapeFunctions shape = ShapeFunctions::linear;
   VolumeRate volume_rate = VolumeRate::point;
@@ -180,6 +186,8 @@ struct Scene {
   std::vector<Monitor> monitors;
   Output output;
 };
+
+Method method_of(Preset preset);
 
 /// s, when the run ends at the latest if it began at time 0: that of the timing, or of all stages.
 double end_time(const Scene& scene);

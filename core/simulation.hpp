@@ -82,14 +82,15 @@ class Simulation {
 struct Snapshot {
   double time = 0.0; ///< s
   long steps = 0;
-  std::vector<double> position;       ///< m, x y z
-  std::vector<double> displacement;   ///< m, x y z
-  std::vector<double> velocity;       ///< m/s, x y z
-  std::vector<double> stress;         ///< Pa, Cauchy, xx yy zz xy yz xz
-  std::vector<double> volume;         ///< m3
-  std::vector<double> initial_volume; ///< m3
-  std::vector<double> plastic_strain; ///< -
-  std::vector<double> gap;            ///< -
+  std::vector<double> position;          ///< m, x y z
+  std::vector<double> displacement;      ///< m, x y z
+  std::vector<double> velocity;          ///< m/s, x y z
+  std::vector<double> stress;            ///< Pa, Cauchy, xx yy zz xy yz xz
+  std::vector<double> volume;            ///< m3
+  std::vector<double> initial_volume;    ///< m3
+  std::vector<double> plastic_strain;    ///< -
+  std::vector<double> gap;               ///< -
+  std::vector<double> velocity_gradient; ///< 1/s, xx xy xz yx yy yz zx zy zz
 };
 
 /// At time 0, or at the beginning of the stage that begins from another run's state, `start`.

@@ -66,6 +66,11 @@ constexpr std::array<std::size_t, tensor_size<Dim>> stress_place = [] {
     return std::array<std::size_t, 6>{0, 1, 2, 3, 4, 5};
 }();
 
+/// Where d v_i / d x_j of the core's axes stands among the nine of the scene's.
+template <int Dim> constexpr std::size_t gradient_place(std::size_t i, std::size_t j) {
+  return 3 * scene_axis<Dim>(static_cast<int>(i)) + scene_axis<Dim>(static_cast<int>(j));
+}
+
 template <int Dim, class Shape> class SimulationOf final : public Simulation {
  public:
   SimulationOf(const Scene& scene, const Snapshot* start)
@@ -354,6 +359,10 @@ template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const S
     points.J[p] = start.volume[p] / points.V0[p];
     for (std::size_t i = 0; i < points.tau.size(); ++i)
       points.tau[i][p] = points.J[p] * start.stress[6 * p + stress_place<Dim>[i]];
+    if (points.affine())
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j)
+          points.C[Dim * i + j][p] = start.velocity_gradient[9 * p + gradient_place<Dim>(i, j)];
     points.plastic_strain[p] = start.plastic_strain[p];
     points.gap[p] = start.gap[p];
   }
@@ -421,6 +430,11 @@ std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) con
     for (std::size_t p = 0; p < points.size(); ++p)
       for (int a = 0; a < Dim; ++a)
         values[3 * points.id[p] + scene_axis<Dim>(a)] = points.v[static_cast<std::size_t>(a)][p];
+  } else if (name == "velocity_gradient") {
+    for (std::size_t p = 0; points.affine() && p < points.size(); ++p)
+      for (std::size_t i = 0; i < Dim; ++i)
+        for (std::size_t j = 0; j < Dim; ++j)
+          values[9 * points.id[p] + gradient_place<Dim>(i, j)] = points.C[Dim * i + j][p];
   } else if (name == "stress") {
     for (std::size_t p = 0; p < points.size(); ++p)
       for (std::size_t i = 0; i < stress_place<Dim>.size(); ++i)

@@ -40,7 +40,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
   toml::table table = parse_toml(file);
   for (const std::string& text : overrides) apply_override(table, text, report);
 
-  Scene scene;
+  Scene scene = default_scene();
   for_each_section(scene, SectionReader(table, section_names(), dimension_of(table), report));
   check_scene(scene, report);
   if (std::vector<std::string> problems = report.lines(); !problems.empty())

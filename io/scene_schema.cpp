@@ -108,11 +108,28 @@ Section<Timing> time_section() {
       }};
 }
 
+/// First of its section, since it sets all the others.
+Option<Method> preset_option() {
+  Option<Method> option = word<Method, Preset>(
+      "preset", &Method::preset, {{"accurate", Preset::accurate}, {"fidelity", Preset::fidelity}},
+      "What the other options of this section are where they are not given: accurate (B-splines "
+      "and "
+      "APIC, the default) or fidelity (as published for landslides: linear functions and FLIP).");
+  const auto read = option.read;
+  option.read = [read](const toml::node& node, int dimension, Method& method) {
+    Complaint wrong = read(node, dimension, method);
+    if (!wrong) method = method_of(method.preset);
+    return wrong;
+  };
+  return option;
+}
+
 Section<Method> method_section() {
-  return {
+  Section<Method> section = {
       .name = "method",
       .help = "The numerical scheme.",
       .options = {
+          preset_option(),
           word<Method, Scheme>(
               "scheme", &Method::scheme,
               {{"usf", Scheme::usf}, {"usl", Scheme::usl}, {"musl", Scheme::musl}},
@@ -144,6 +161,8 @@ Section<Method> method_section() {
                          {.at_least = 0, .below = 1},
                          "The same while a gate has still to open; the larger of the two counts."),
       }};
+  for (Option<Method>& option : section.options) option.example = default_scene().method;
+  return section;
 }
 
 using Law = decltype(Material::law);
@@ -482,6 +501,12 @@ const SceneSchema& scene_schema() {
                                      .monitor = monitor_section(),
                                      .output = output_section()};
   return schema;
+}
+
+Scene default_scene() {
+  Scene scene;
+  scene.method = method_of(Preset::accurate);
+  return scene;
 }
 
 std::vector<std::string> excluded_by(const std::string& section, const std::string& key) {

@@ -22,6 +22,9 @@ struct SceneSchema {
 
 const SceneSchema& scene_schema();
 
+/// What a file that gives nothing describes.
+Scene default_scene();
+
 /// Calls visit(section, part) for every section with the part of the scene it describes: one value,
 /// or a std::vector where the file has a list of tables.  The dimension comes before all that need
 /// it.

@@ -45,7 +45,8 @@ Snapshot snapshot_of(const Frame& frame) {
           .volume = values("volume"),
           .initial_volume = values("initial_volume"),
           .plastic_strain = values("equivalent_plastic_strain"),
-          .gap = values("gap")};
+          .gap = values("gap"),
+          .velocity_gradient = values("velocity_gradient")};
 }
 
 std::unique_ptr<Simulation> make_simulation_from_files(const Scene& scene) {

@@ -69,6 +69,8 @@ double unit_size(const Field& field) {
 
 constexpr std::array<const char*, 3> vector_components = {"x", "y", "z"};
 constexpr std::array<const char*, 6> tensor_components = {"xx", "yy", "zz", "xy", "yz", "xz"};
+constexpr std::array<const char*, 9> gradient_components = {"xx", "xy", "xz", "yx", "yy",
+                                                            "yz", "zx", "zy", "zz"};
 /// Of a tensor in the plane x-z; its other shear components are zero.
 constexpr std::array<const char*, 6> plane_components = {
     "horizontal {}", "out-of-plane {}", "vertical {}", "{} xy", "{} yz", "shear {}"};
@@ -109,6 +111,7 @@ std::string field_label(const io::Frame& frame, const Field& field) {
   if (field.component < 0) return label + " magnitude";
   const auto c = static_cast<std::size_t>(field.component);
   if (components == 3) return label + " " + vector_components.at(c);
+  if (components == 9) return label + " " + gradient_components.at(c);
   if (frame.dimension == 3) return label + " " + tensor_components.at(c);
   return fmt::format(fmt::runtime(plane_components.at(c)), label);
 }

@@ -23,7 +23,7 @@ void expect_readable(const io::SeriesReader& series, std::size_t points) {
     const io::Frame frame = series.read(i); // throws, with the reason, what cannot be read
     EXPECT_EQ(frame.size(), points);
     EXPECT_EQ(frame.time, series.time(i));
-    EXPECT_EQ(frame.columns.size(), 11U);
+    EXPECT_EQ(frame.columns.size(), 12U);
   }
 }
 

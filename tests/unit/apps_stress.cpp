@@ -177,11 +177,13 @@ TEST(StressChecks, ExplainWhoMayLeave) {
 }
 
 TEST(StressScenes, DependOnSeedAndNumberOnly) {
-  const std::string scene = io::scene_to_toml(stress_scene(7, 12).scene);
-  stress_scene(7, 11);
-  EXPECT_EQ(io::scene_to_toml(stress_scene(7, 12).scene), scene);
-  EXPECT_NE(io::scene_to_toml(stress_scene(8, 12).scene), scene);
-  EXPECT_NE(io::scene_to_toml(stress_scene(7, 12 + stress_families().size()).scene), scene);
+  const std::string scene = io::scene_to_toml(stress_scene(Preset::accurate, 7, 12).scene);
+  stress_scene(Preset::accurate, 7, 11);
+  EXPECT_EQ(io::scene_to_toml(stress_scene(Preset::accurate, 7, 12).scene), scene);
+  EXPECT_NE(io::scene_to_toml(stress_scene(Preset::accurate, 8, 12).scene), scene);
+  EXPECT_NE(
+      io::scene_to_toml(stress_scene(Preset::accurate, 7, 12 + stress_families().size()).scene),
+      scene);
 }
 
 /// `scarp run` has to take what a failure leaves.
@@ -190,7 +192,7 @@ TEST(StressScenes, AreSceneFilesOfModestSize) {
   std::set<std::string> families;
   std::set<int> dimensions;
   for (std::size_t k = 0; k < 140; ++k) {
-    const StressScene stress = stress_scene(1, k);
+    const StressScene stress = stress_scene(Preset::accurate, 1, k);
     families.insert(stress.family);
     dimensions.insert(stress.scene.grid.dimension);
     const std::string text = io::scene_to_toml(stress.scene);
@@ -203,9 +205,10 @@ TEST(StressScenes, AreSceneFilesOfModestSize) {
 }
 
 TEST(StressRun, IsTheSameForAnyNumberOfJobs) {
-  const auto one = run_stress_scenes(3, 28, 1, [](const StressResult&) {});
+  const auto one = run_stress_scenes(Preset::accurate, 3, 28, 1, [](const StressResult&) {});
   std::size_t calls = 0;
-  const auto three = run_stress_scenes(3, 28, 3, [&](const StressResult&) { ++calls; });
+  const auto three =
+      run_stress_scenes(Preset::accurate, 3, 28, 3, [&](const StressResult&) { ++calls; });
   EXPECT_EQ(calls, 28U);
   for (std::size_t k = 0; k < 28; ++k) {
     EXPECT_EQ(three[k].number, k);

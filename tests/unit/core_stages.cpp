@@ -59,7 +59,8 @@ Snapshot snapshot(const Simulation& simulation) {
           .volume = simulation.field("volume"),
           .initial_volume = simulation.field("initial_volume"),
           .plastic_strain = simulation.field("equivalent_plastic_strain"),
-          .gap = simulation.field("gap")};
+          .gap = simulation.field("gap"),
+          .velocity_gradient = simulation.field("velocity_gradient")};
 }
 
 struct Frames : Observer {

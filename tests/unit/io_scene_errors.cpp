@@ -88,8 +88,8 @@ const Case cases[] = {
      {"13:10: method.scheme: is 'muls'; must be 'usf', 'usl' or 'musl' (did you mean 'musl'?)"}},
     {"AffineAndLinear",
      "scheme = \"musl\"",
-     "transfer = \"apic\"",
-     {"13:12: method.transfer: is affine with linear shape functions, whose gradients jump between "
+     "shape = \"linear\"\ntransfer = \"apic\"",
+     {"14:12: method.transfer: is affine with linear shape functions, whose gradients jump between "
       "cells: slides blow up; must be 'flip' unless method.shape is 'bspline' or 'gimp'"}},
     {"DateForNumber",
      "end_s = 1",
