@@ -27,6 +27,7 @@ struct Axis {
   std::string unit = "m";
   bool labelled = true;           ///< numbers and title, not only ticks
   std::vector<double> ticks = {}; ///< empty: round numbers
+  std::vector<std::string> names = {}; ///< of the ticks; empty: the numbers
 };
 
 /// The room that axes need outside the plot area, px.
