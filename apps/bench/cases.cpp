@@ -5,6 +5,9 @@ namespace scarp::bench {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
       {"bar", "Axial vibration of an elastic bar", bar_case},
+      {"vortex", "Generalised vortex, a manufactured solution", vortex_case},
+      {"footing", "Strip footing on soil without friction", footing_case},
+      {"stress-paths", "Stress paths of a material point", stress_paths_case},
   };
   return all;
 }

@@ -14,6 +14,9 @@ enum class Effort { quick, full };
 
 /// Each throws what the solver throws.
 CaseReport bar_case(Effort effort);
+CaseReport footing_case(Effort effort);
+CaseReport stress_paths_case(Effort effort);
+CaseReport vortex_case(Effort effort);
 
 struct Case {
   std::string name;  ///< for --only
