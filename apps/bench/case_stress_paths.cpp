@@ -117,13 +117,14 @@ CaseReport stress_paths_case(Effort) {
 
   const double compression = compress(Cone::circumscribed, 0.0, true, strain_step, curves[0]);
   const double extension = compress(Cone::inscribed, 0.0, true, -strain_step, curves[1]);
-  const double plane = compress(Cone::plane_strain, phi, false, strain_step, curves[2]);
-  report.checks = {{"triaxial_compression", compression, strong, tight, Bound::relative, "Pa",
-                    coulomb, "circumscribed cone"},
-                   {"triaxial_extension", extension, weak, tight, Bound::relative, "Pa", coulomb,
-                    "inscribed cone"},
-                   {"plane_strain", plane, strong, tight, Bound::relative, "Pa", coulomb,
-                    "plane-strain cone, associated"}};
+  const double plane = compress(Cone::plane_strain, phi, false, 5.0 * strain_step, curves[2]);
+  report.checks = {
+      {"triaxial_compression", compression, strong, tight, Bound::relative, "Pa", coulomb,
+       "circumscribed cone"},
+      {"triaxial_extension", extension, weak, tight, Bound::relative, "Pa", coulomb,
+       "inscribed cone"},
+      {"plane_strain", plane, strong, tight, Bound::relative, "Pa", coulomb,
+       "plane-strain cone, associated; approached while elastic strain across the plane dies out"}};
 
   const Shear shear = shear_at_constant_volume();
   const double s = std::sin(phi * std::numbers::pi / 180.0);
@@ -158,15 +159,17 @@ CaseReport stress_paths_case(Effort) {
 
   for (const double limit : {strong, weak})
     curves.push_back({.label = limit == weak ? "Mohr-Coulomb" : "",
-                      .x = {-2.0, 2.0},
+                      .x = {-2.0, 4.0},
                       .y = {1e-3 * limit, 1e-3 * limit},
                       .colour = render::ink,
                       .line = render::LineKind::dotted});
   report.figure = {{curves,
                     {.x_name = "compressive strain",
+
                      .x_unit = "%",
                      .y_name = "axial pressure",
-                     .y_unit = "kPa"}}};
+                     .y_unit = "kPa",
+                     .x_limits = render::Limits{-2.0, 4.0}}}};
   report.caption = "A material point at a confining pressure of 100 kPa (phi = 30°, c = 5 kPa).";
   return report;
 }

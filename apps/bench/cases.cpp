@@ -5,9 +5,12 @@ namespace scarp::bench {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
       {"bar", "Axial vibration of an elastic bar", bar_case},
+      {"column", "Column at rest under its own weight", column_case},
       {"vortex", "Generalised vortex, a manufactured solution", vortex_case},
       {"footing", "Strip footing on soil without friction", footing_case},
       {"stress-paths", "Stress paths of a material point", stress_paths_case},
+      {"rotation", "Rotation and objectivity", rotation_case},
+      {"block", "Block on an inclined plane with friction", block_case},
   };
   return all;
 }
