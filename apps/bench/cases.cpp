@@ -11,6 +11,7 @@ const std::vector<Case>& cases() {
       {"stress-paths", "Stress paths of a material point", stress_paths_case},
       {"rotation", "Rotation and objectivity", rotation_case},
       {"block", "Block on an inclined plane with friction", block_case},
+      {"granular-column", "Collapse of granular columns", granular_column_case},
   };
   return all;
 }
