@@ -12,6 +12,9 @@ const std::vector<Case>& cases() {
       {"rotation", "Rotation and objectivity", rotation_case},
       {"block", "Block on an inclined plane with friction", block_case},
       {"granular-column", "Collapse of granular columns", granular_column_case},
+      {"safety", "Factor of safety of a homogeneous slope", safety_case},
+      {"conservation", "Mass, momentum and energy", conservation_case},
+      {"grid-independence", "Place and direction of the grid", grid_independence_case},
   };
   return all;
 }

@@ -16,9 +16,12 @@ enum class Effort { quick, full };
 CaseReport bar_case(Effort effort);
 CaseReport block_case(Effort effort);
 CaseReport column_case(Effort effort);
+CaseReport conservation_case(Effort effort);
 CaseReport footing_case(Effort effort);
 CaseReport granular_column_case(Effort effort);
+CaseReport grid_independence_case(Effort effort);
 CaseReport rotation_case(Effort effort);
+CaseReport safety_case(Effort effort);
 CaseReport stress_paths_case(Effort effort);
 CaseReport vortex_case(Effort effort);
 
