@@ -38,8 +38,8 @@ struct Vortex {
   std::array<double, 3> position(const std::array<double, 3>& place, double time) const;
   /// m/s2, at a place at that time.
   std::array<double, 3> force(const std::array<double, 3>& place, double time) const;
-  /// Pa, rr tt rt at the largest turn.
-  std::array<double, 3> stress(double radius) const;
+  /// Pa, rr tt rt.
+  std::array<double, 3> stress(double radius, double time) const;
 };
 
 struct VortexRun {
