@@ -11,6 +11,7 @@ const std::vector<Case>& cases() {
       {"stress-paths", "Stress paths of a material point", stress_paths_case},
       {"rotation", "Rotation and objectivity", rotation_case},
       {"block", "Block on an inclined plane with friction", block_case},
+      {"rankine", "Active and passive earth pressure", rankine_case},
       {"granular-column", "Collapse of granular columns", granular_column_case},
       {"safety", "Factor of safety of a homogeneous slope", safety_case},
       {"conservation", "Mass, momentum and energy", conservation_case},

@@ -20,6 +20,7 @@ CaseReport conservation_case(Effort effort);
 CaseReport footing_case(Effort effort);
 CaseReport granular_column_case(Effort effort);
 CaseReport grid_independence_case(Effort effort);
+CaseReport rankine_case(Effort effort);
 CaseReport rotation_case(Effort effort);
 CaseReport safety_case(Effort effort);
 CaseReport stress_paths_case(Effort effort);

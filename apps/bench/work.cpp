@@ -76,8 +76,9 @@ render::Curve pareto_front(const std::vector<WorkRun>& runs, Work work) {
   std::vector<std::array<double, 2>> best;
   for (const WorkRun& run : runs) {
     const bool beaten = std::ranges::any_of(runs, [&](const WorkRun& other) {
-      return other.failure.empty() && other.outcome.error < run.outcome.error &&
-             work(other) < work(run);
+      const double error = other.outcome.error, own = run.outcome.error;
+      const bool no_worse = error <= own && work(other) <= work(run);
+      return other.failure.empty() && no_worse && (error < own || work(other) < work(run));
     });
     if (run.failure.empty() && !beaten) best.push_back({work(run), run.outcome.error});
   }
@@ -148,7 +149,7 @@ std::vector<render::Chart> work_figure(const WorkResult& result) {
   return {work_chart(
               result, [](const WorkRun& run) { return run.wall; }, "wall time", "s"),
           work_chart(
-              result, [](const WorkRun& run) { return run.point_steps(); }, "points × steps", "-")};
+              result, [](const WorkRun& run) { return run.point_steps(); }, "points × steps", "")};
 }
 
 nlohmann::ordered_json to_json(const WorkRun& run) {
