@@ -15,7 +15,7 @@ constexpr int width = 1600; // px
 
 std::filesystem::path draw(const AccuracyOptions& options, const std::string& name,
                            const std::vector<render::Chart>& panels, bool shared_legend) {
-  const std::filesystem::path file = options.out / (name + ".png");
+  std::filesystem::path file = options.out / (name + ".png");
   const bool several = panels.size() > 1;
   constexpr int height = 1000; // px, of a figure with one panel
   render::write_png(file, render::render_chart_panels(panels, {.columns = 2,

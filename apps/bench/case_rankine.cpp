@@ -101,14 +101,16 @@ Pressure move(int cells, double end) {
 CaseReport rankine_case(Effort effort) {
   const int cells = effort == Effort::quick ? 16 : 32;
   const Pressure active = move(cells, 0.1);
-  const Pressure passive = move(cells, 4.5);
+  const Pressure passive = move(cells, 8.0);
   constexpr double tolerance = 0.05;
   CaseReport report;
   const std::string note = "phi = 30°, c = 0, associated; read at 1 % of the height";
   report.checks = {{"active", active.read, 1.0 / 3.0, tolerance, Bound::relative, "-",
                     "Rankine: tan²(45° - phi/2)", note},
                    {"passive", passive.read, 3.0, tolerance, Bound::relative, "-",
-                    "Rankine: tan²(45° + phi/2)", note}};
+                    "Rankine: tan²(45° + phi/2)",
+                    note + ". Measured: 2.7 at most, however far and fast lambda rises; the heavy "
+                           "liquid pushes the face's top corner away and rides over the soil"}};
   const auto curve = [](const char* name, const Pressure& pressure) {
     render::Curve line = {.label = name, .x = pressure.moved, .y = pressure.ratio};
     for (double& x : line.x) x *= 100.0;

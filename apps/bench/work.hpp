@@ -1,6 +1,5 @@
 // Work-precision: the error of a scene with a known answer over what it costs, for many ways to
-// compute it.  One more scene is one file work_NAME.cpp, one declaration here, and one line in
-// work.cpp.
+// compute it.  One more scene is one line in work_scenes.cpp.
 #pragma once
 
 #include "apps/bench/bar.hpp"
