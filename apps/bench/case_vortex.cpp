@@ -3,8 +3,8 @@
 // The time step shrinks with the square of the cell size: points move with the velocity of the
 // nodes at the step's beginning, which on a curved path is of first order in time.
 //
-// The turn was not chosen blindly: with 1 rad (shear up to 3.9) 8 to 32 cells are too coarse and give
-// an order of 1.70, which the full run reports beside this one.
+// The turn was not chosen blindly: with 1 rad (shear up to 3.9) 8 to 32 cells are too coarse and
+// give an order of 1.70, which the full run reports beside this one.
 #include "apps/bench/cases.hpp"
 #include "apps/bench/charts.hpp"
 #include "apps/bench/vortex.hpp"
