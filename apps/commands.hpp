@@ -23,6 +23,7 @@ void add_options(CLI::App& program);
 void add_study(CLI::App& program);
 void add_safety(CLI::App& program);
 void add_stress(CLI::App& program);
+void add_bench(CLI::App& program);
 
 /// The scenes and references that belong to the program: $SCARP_DATA, or `data` beside the build
 /// folder, or share/scarp beside the installed program.  Throws std::runtime_error with where it

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     scarp::apps::add_study(program);
     scarp::apps::add_safety(program);
     scarp::apps::add_stress(program);
+    scarp::apps::add_bench(program);
     try {
       program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -6,7 +6,7 @@ if(NOT SCARP_CLANG_TIDY)
 endif()
 
 set(stamps)
-foreach(folder core core/analysis io render apps)
+foreach(folder core core/analysis io render apps apps/bench)
   if(NOT IS_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
     continue() # not configured: SCARP_RENDER is off
   endif()

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -173,12 +174,18 @@ struct Output {
   std::vector<std::string> front_regions;
 };
 
+/// m/s2 at a place (m, x y z; y = 0 in plane strain) and a time (s).  Several threads call it.
+using BodyForceField = std::function<std::array<double, 3>(const std::array<double, 3>&, double)>;
+
 struct Scene {
   std::string title;
   Grid grid;
   Timing timing;
   Method method;
   std::array<double, 3> gravity = {0.0, 0.0, -9.81}; ///< m/s2
+  /// Beside gravity, for programs: scene files have no key for it.  Energies leave its work out, so
+  /// that scheme_loss is then not what the scheme loses.
+  BodyForceField body_force;
   std::vector<Material> materials;
   std::vector<Region> regions;
   std::vector<Gate> gates;

@@ -4,6 +4,7 @@
 
 #include "core/simulation.hpp"
 
+#include "core/body_force_pass.hpp"
 #include "core/fields.hpp"
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
@@ -112,6 +113,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       scatter_pass<Dim, Terms::all>(state_, loads_.own());
       gather_momentum_pass(state_, walls_);
     }
+    if (scene_.body_force) body_force_pass(state_, scene_.body_force, time_);
     advance_momentum_pass(state_, walls_, loads_.common(), damping(), dt);
     add_up_losses();
 

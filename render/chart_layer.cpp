@@ -41,6 +41,15 @@ Limits limits_of(const std::vector<Curve>& curves, const std::vector<double> Cur
   return {is_round(low) ? low : low - room * span, is_round(high) ? high : high + room * span};
 }
 
+Axis axis(const std::string& name, const std::string& unit, const std::vector<Tick>& ticks) {
+  Axis axis = {name, unit};
+  for (const Tick& tick : ticks) {
+    axis.ticks.push_back(tick.at);
+    axis.names.push_back(tick.label);
+  }
+  return axis;
+}
+
 /// Of the family; equal ones count once.
 std::vector<double> parameters(const std::vector<Curve>& curves) {
   std::set<double> values;
@@ -187,8 +196,8 @@ PlacedChart place_chart(const Chart& chart, const Box& limits, const Legend& leg
   // The names of the spans stand above the data, unless the limits are given.
   if (!style.y_limits && !style.equal_scales && room.height() > names)
     placed.area.world.upper.y += limits.height() * names / (room.height() - names);
-  placed.x = {style.x_name, style.x_unit};
-  placed.y = {style.y_name, style.y_unit};
+  placed.x = axis(style.x_name, style.x_unit, style.x_ticks);
+  placed.y = axis(style.y_name, style.y_unit, style.y_ticks);
   choose_ticks(placed.area, placed.x, placed.y, font_size);
   if (style.equal_scales && limits.lower.x == limits.lower.y && limits.upper.x == limits.upper.y) {
     std::vector<double>& x = placed.x.ticks;

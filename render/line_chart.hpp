@@ -48,6 +48,12 @@ struct Span {
   Limits x;
 };
 
+/// A place on an axis and what it is called there.
+struct Tick {
+  double at = 0.0;
+  std::string label;
+};
+
 struct ChartStyle {
   std::string x_name = {};
   std::string x_unit = {};
@@ -55,6 +61,8 @@ struct ChartStyle {
   std::string y_unit = {};
   std::optional<Limits> x_limits = {}; ///< none: the data, with a little room where it ends
   std::optional<Limits> y_limits = {};
+  std::vector<Tick> x_ticks = {}; ///< empty: round numbers
+  std::vector<Tick> y_ticks = {};
   bool equal_scales = false; ///< one pixel is as long in x as in y
   /// Light bands behind the curves, every other one shaded, with dashed limits and the names above
   /// the data.

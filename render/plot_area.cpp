@@ -15,10 +15,12 @@ constexpr double label_gap = 0.25;
 constexpr double title_gap = 0.4;
 
 std::string title(const Axis& axis) {
-  return axis.name + " " + unit_label(axis.unit, common_power(axis.ticks));
+  const int power = axis.names.empty() ? common_power(axis.ticks) : 0;
+  return axis.name + " " + unit_label(axis.unit, power);
 }
 
 std::vector<std::string> labels(const Axis& axis) {
+  if (!axis.names.empty()) return axis.names;
   return tick_labels(axis.ticks, common_power(axis.ticks));
 }
 

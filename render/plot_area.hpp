@@ -25,8 +25,9 @@ PlotArea fit_equal(const Box& world, const Box& available, double along_x, doubl
 struct Axis {
   std::string name = {};
   std::string unit = "m";
-  bool labelled = true;           ///< numbers and title, not only ticks
-  std::vector<double> ticks = {}; ///< empty: round numbers
+  bool labelled = true;                ///< numbers and title, not only ticks
+  std::vector<double> ticks = {};      ///< empty: round numbers
+  std::vector<std::string> names = {}; ///< of the ticks; empty: the numbers
 };
 
 /// The room that axes need outside the plot area, px.

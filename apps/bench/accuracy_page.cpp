@@ -1,0 +1,85 @@
+#include "apps/bench/accuracy.hpp"
+
+#include "apps/html_page.hpp"
+#include "core/version.hpp"
+#include "io/atomic_file.hpp"
+#include "render/chart_panels.hpp"
+
+#include <fmt/format.h>
+
+namespace scarp::bench {
+
+namespace {
+
+constexpr int width = 1600; // px
+
+std::filesystem::path draw(const AccuracyOptions& options, const std::string& name,
+                           const std::vector<render::Chart>& panels, bool shared_legend) {
+  std::filesystem::path file = options.out / (name + ".png");
+  const bool several = panels.size() > 1;
+  constexpr int height = 1000; // px, of a figure with one panel
+  render::write_png(file, render::render_chart_panels(panels, {.columns = 2,
+                                                               .letters = several,
+                                                               .shared_legend = shared_legend,
+                                                               .width = width,
+                                                               .height = several ? 0 : height}));
+  return file;
+}
+
+void add_checks(apps::HtmlPage& page, const std::vector<CaseResult>& cases) {
+  std::vector<std::vector<std::string>> rows;
+  for (const CaseResult& result : cases) {
+    for (const Check& check : result.report.checks)
+      rows.push_back({result.origin->name + "." + check.name, check.pass() ? "passed" : "FAILED",
+                      fmt::format("{:.5g}", check.value), check.demand(), check.unit});
+    if (!result.failure.empty())
+      rows.push_back({result.origin->name + ".run", "FAILED", "-", "runs to its end", "-"});
+  }
+  page.table("Every check: measured, and what was demanded before it was",
+             {"check", "", "measured", "demanded", "unit"}, rows);
+}
+
+void add_case(apps::HtmlPage& page, const AccuracyOptions& options, const CaseResult& result) {
+  page.heading(result.origin->title);
+  if (!result.failure.empty()) page.paragraph("The run failed: " + result.failure);
+  std::vector<std::vector<std::string>> rows;
+  for (const Check& check : result.report.checks)
+    rows.push_back({check.name, check.source, check.note});
+  if (!rows.empty()) page.table("Where the references are from", {"check", "source", "note"}, rows);
+  for (const Convergence& one : result.report.convergence) {
+    std::vector<std::string> sizes = {"cell size"}, errors = {"error"};
+    for (std::size_t i = 0; i < one.error.size(); ++i) {
+      sizes.push_back(fmt::format("{:.4g}", one.cell_size[i]));
+      errors.push_back(fmt::format("{:.3e}", one.error[i]));
+    }
+    page.table(fmt::format("{}: order {:.2f}", one.name, one.order()), sizes, {errors});
+  }
+  if (!result.report.figure.empty())
+    page.picture(draw(options, result.origin->name, result.report.figure, false),
+                 result.report.caption);
+}
+
+} // namespace
+
+void write_page(const AccuracyOptions& options, const std::vector<CaseResult>& cases,
+                const std::vector<WorkResult>& work, double wall) {
+  apps::HtmlPage page("Accuracy of scarp");
+  page.paragraph(fmt::format("scarp {}, `scarp bench accuracy{}`, {:.0f} s of wall time.", version,
+                             options.quick ? " --quick" : "", wall));
+  if (!cases.empty()) {
+    page.heading("Verification");
+    add_checks(page, cases);
+  }
+  for (const CaseResult& result : cases) add_case(page, options, result);
+  if (!work.empty()) {
+    page.heading("Work and precision");
+    page.paragraph("A line is a way to compute, its points are cell sizes. Ringed: no run that was "
+                   "tried has less error for less work (the Pareto front).");
+  }
+  for (const WorkResult& result : work)
+    page.picture(draw(options, result.origin->name, work_figure(result), true),
+                 result.origin->title);
+  io::write_atomically(options.out / "index.html", page.text());
+}
+
+} // namespace scarp::bench

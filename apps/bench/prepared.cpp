@@ -1,0 +1,57 @@
+#include "apps/bench/prepared.hpp"
+
+namespace scarp::bench {
+
+Region box(const std::string& name, const std::string& material, std::array<double, 2> lower,
+           std::array<double, 2> upper) {
+  Region region;
+  region.name = name;
+  region.material = material;
+  region.polygon = {
+      {lower[0], lower[1]}, {upper[0], lower[1]}, {upper[0], upper[1]}, {lower[0], upper[1]}};
+  return region;
+}
+
+Grid plane_grid(double cell_size, std::array<double, 2> lower, std::array<double, 2> upper) {
+  Grid grid;
+  grid.dimension = 2;
+  grid.cell_size = cell_size;
+  grid.lower = {lower[0], 0.0, lower[1]};
+  grid.upper = {upper[0], 0.0, upper[1]};
+  return grid;
+}
+
+std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change) {
+  const auto rest = make_simulation(scene);
+  const std::size_t n = rest->points();
+  Snapshot start;
+  start.position = rest->positions();
+  start.displacement.assign(3 * n, 0.0);
+  start.velocity = rest->field("velocity");
+  start.stress.assign(6 * n, 0.0);
+  start.volume = rest->field("volume");
+  start.initial_volume = rest->field("initial_volume");
+  start.plastic_strain.assign(n, 0.0);
+  start.gap.assign(n, 0.0);
+  change(start);
+  constexpr double for_ever = 1e9; // s
+  Stage stage;
+  stage.name = "run";
+  stage.duration = for_ever;
+  stage.begin_from = "a state made by hand";
+  scene.stages = {stage};
+  return make_simulation(scene, &start);
+}
+
+std::vector<double> masses(const Simulation& simulation) {
+  std::vector<double> mass = simulation.field("density");
+  const std::vector<double> volume = simulation.field("volume");
+  for (std::size_t p = 0; p < mass.size(); ++p) mass[p] *= volume[p];
+  return mass;
+}
+
+void run_until(Simulation& simulation, double time) {
+  while (simulation.time() < time) simulation.step(time);
+}
+
+} // namespace scarp::bench

@@ -1,0 +1,28 @@
+// Scenes made by hand, and runs that begin from a state made by hand.
+#pragma once
+
+#include "core/simulation.hpp"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace scarp::bench {
+
+Region box(const std::string& name, const std::string& material, std::array<double, 2> lower,
+           std::array<double, 2> upper);
+
+/// Plane strain with free sides, from (x0, z0) to (x1, z1), m.
+Grid plane_grid(double cell_size, std::array<double, 2> lower, std::array<double, 2> upper);
+
+/// At time 0, with what `change` makes of velocities, stresses and so on.
+std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change);
+
+/// kg of each point, per metre of depth in plane strain.
+std::vector<double> masses(const Simulation& simulation);
+
+/// Steps to `time` (s), unless that has come.
+void run_until(Simulation& simulation, double time);
+
+} // namespace scarp::bench

@@ -1,0 +1,40 @@
+// scarp bench accuracy --out DIR [--quick] [--only NAME]...
+#include "apps/bench/accuracy.hpp"
+#include "apps/commands.hpp"
+
+#include <memory>
+
+namespace scarp::apps {
+
+namespace {
+
+void run(const bench::AccuracyOptions& options) {
+  make_directory(options.out);
+  if (!bench::run_accuracy(options))
+    throw std::runtime_error("a verification failed; see " +
+                             (options.out / "accuracy.json").string());
+}
+
+} // namespace
+
+void add_bench(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("bench", "Measure the solver.");
+  command->require_subcommand(1);
+
+  const auto options = std::make_shared<bench::AccuracyOptions>();
+  CLI::App* accuracy = command->add_subcommand(
+      "accuracy", "Verify against closed forms and published references; error against work.");
+  accuracy->add_option("--out", options->out, "Directory for accuracy.json, figures and a page")
+      ->required();
+  accuracy->add_flag("--quick", options->quick,
+                     "Fewer refinements: two minutes on one core in all");
+  accuracy
+      ->add_option("--only", options->only, "A case or a work-precision scene to run; repeatable")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(bench::names()));
+  accuracy->footer("Exit code 1 if a verification fails.\n"
+                   "Example:\n  scarp bench accuracy --out out/accuracy --quick");
+  accuracy->callback([options] { run(*options); });
+}
+
+} // namespace scarp::apps
