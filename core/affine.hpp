@@ -45,7 +45,7 @@ template <int Dim, class Shape> struct AffineWeights {
 
 /// mv_I += m_p C_p r_I N_I
 template <int Dim, class Shape>
-void add_affine_momentum(std::array<Vec<Dim>, Shape::nodes>& mv, const Particles<Dim>& points,
+void add_affine_momentum(std::array<std::array<Real, Shape::nodes>, Dim>& mv, const Particles<Dim>& points,
                          const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
                          std::size_t p) {
   const AffineWeights<Dim, Shape> weights(shape, xi, cell);
@@ -53,7 +53,7 @@ void add_affine_momentum(std::array<Vec<Dim>, Shape::nodes>& mv, const Particles
     for (std::size_t i = 0; i < Dim; ++i) {
       Real v = 0.0;
       for (std::size_t j = 0; j < Dim; ++j) v += points.C[Dim * i + j][p] * weights.r[c][j];
-      mv[c][i] += points.m[p] * shape.N[c] * v;
+      mv[i][c] += points.m[p] * shape.N[c] * v;
     }
 }
 
