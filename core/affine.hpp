@@ -45,9 +45,9 @@ template <int Dim, class Shape> struct AffineWeights {
 
 /// mv_I += m_p C_p r_I N_I
 template <int Dim, class Shape>
-void add_affine_momentum(std::array<std::array<Real, Shape::nodes>, Dim>& mv, const Particles<Dim>& points,
-                         const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
-                         std::size_t p) {
+void add_affine_momentum(std::array<std::array<Real, Shape::nodes>, Dim>& mv,
+                         const Particles<Dim>& points, const Shape& shape, const Vec<Dim>& xi,
+                         const StencilCell<Dim>& cell, std::size_t p) {
   const AffineWeights<Dim, Shape> weights(shape, xi, cell);
   for (std::size_t c = 0; c < Shape::nodes; ++c)
     for (std::size_t i = 0; i < Dim; ++i) {

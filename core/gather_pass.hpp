@@ -23,6 +23,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
 #pragma omp parallel reduction(max : fastest2) reduction(min : outside)
     {
       BlockLines<Dim> xi, v_grid, dv_grid, m_v;
+      RealPack fastest = 0.0; // v2 of this thread's points, by lane
 #pragma omp for schedule(static)
       for (std::int64_t b = 0; b < blocks; ++b) {
         const CellBlock block = cell_block(state, b);
@@ -73,7 +74,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
             inside = inside && x_new >= 0.0 && x_new < static_cast<Real>(state.grid.cells[i]);
           }
           if (rows.size() == RowPack::capacity)
-            fastest2 = std::max(fastest2, hmax(v2));
+            fastest = max(fastest, v2);
           else
             for (std::size_t lane = 0; lane < rows.size(); ++lane)
               fastest2 = std::max(fastest2, static_cast<Real>(v2[lane]));
@@ -98,6 +99,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           }
         }
       }
+      fastest2 = std::max(fastest2, hmax(fastest));
     }
     return {std::sqrt(fastest2), outside};
   }

@@ -13,8 +13,7 @@ namespace scarp {
 template <int Dim> struct GimpShape : Stencil<Dim, 4> {
   static constexpr NodeLayout layout = NodeLayout::padded;
 
-  GimpShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell)
-      : Stencil<Dim, 4>(along(xi, cell)) {}
+  GimpShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) : Stencil<Dim, 4>(along(xi, cell)) {}
 
   template <class T>
   static AlongAxes<Dim, 4, T> along(const std::array<T, Dim>& xi, const StencilCell<Dim>& cell) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <experimental/simd>
+#include <type_traits>
+#include <utility>
 
 namespace scarp {
 
@@ -20,10 +22,16 @@ class RowPack {
 
   [[gnu::always_inline]] RowPack(const std::uint32_t* rows, std::size_t count)
       : rows_(rows), count_(count) {
-    using Rows = std::experimental::simd<
-        std::uint32_t, std::experimental::simd_abi::deduce_t<std::uint32_t, capacity>>;
+    using Rows =
+        std::experimental::simd<std::uint32_t,
+                                std::experimental::simd_abi::deduce_t<std::uint32_t, capacity>>;
     if (count < capacity) return;
-    const Rows next([&](auto k) { return rows[0] + static_cast<std::uint32_t>(k); });
+    static constexpr auto steps = [] {
+      std::array<std::uint32_t, capacity> all = {};
+      for (std::uint32_t k = 0; k < capacity; ++k) all[k] = k;
+      return all;
+    }();
+    const Rows next = Rows(steps.data(), std::experimental::element_aligned) + rows[0];
     together_ = all_of(Rows(rows, std::experimental::element_aligned) == next);
   }
 
@@ -32,7 +40,8 @@ class RowPack {
   /// Lanes without a point are 0.
   [[gnu::always_inline]] RealPack load(const Column& column) const {
     if (together_) {
-      __builtin_prefetch(column.data() + rows_[0] + 256);
+      // The processor does not follow as many columns as a pass reads.
+      __builtin_prefetch(column.data() + rows_[0] + ahead);
       return RealPack(&column[rows_[0]], std::experimental::element_aligned);
     }
     std::array<Real, capacity> values = {};
@@ -48,6 +57,8 @@ class RowPack {
   }
 
  private:
+  static constexpr std::size_t ahead = 256; ///< rows between reading a column and asking for more
+
   const std::uint32_t* rows_;
   std::size_t count_;
   bool together_ = false;
@@ -59,7 +70,8 @@ template <int n> class BlockLines {
  public:
   void resize(std::size_t rows) {
     stride_ = rows / RealPack::size() + 2;
-    if (lanes_.size() < static_cast<std::size_t>(n) * stride_) lanes_.resize(static_cast<std::size_t>(n) * stride_);
+    if (lanes_.size() < static_cast<std::size_t>(n) * stride_)
+      lanes_.resize(static_cast<std::size_t>(n) * stride_);
   }
   Real* operator[](std::size_t line) { return lanes_[line * stride_].data(); }
 
@@ -76,44 +88,58 @@ template <int n> class BlockLines {
   values.copy_to(to, std::experimental::element_aligned);
 }
 
+/// Calls visit(0) ... visit(n - 1) with compile-time numbers, so that what they index stays in
+/// registers.
+template <std::size_t n, class Visit> [[gnu::always_inline]] inline void unrolled(Visit&& visit) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (visit(std::integral_constant<std::size_t, k>()), ...);
+  }
+  (std::make_index_sequence<n>());
+}
+
 /// A number for each of the nodes of a cell, several in a register.
 template <int nodes> struct NodeLanes {
-  static constexpr std::size_t width =
-      std::min(static_cast<std::size_t>(nodes), RealPack::size());
+  static constexpr std::size_t width = std::min(static_cast<std::size_t>(nodes), RealPack::size());
   static constexpr std::size_t packs = (static_cast<std::size_t>(nodes) + width - 1) / width;
   using Pack = std::experimental::simd<Real, std::experimental::simd_abi::deduce_t<Real, width>>;
   using Table = std::array<Real, packs * width>; ///< constants; those beyond the nodes are 0
 
   std::array<Pack, packs> pack;
 
-  NodeLanes() { pack.fill(Pack(0.0)); }
-
-  explicit NodeLanes(const Table& table) {
-    for (std::size_t k = 0; k < packs; ++k)
-      pack[k].copy_from(&table[k * width], std::experimental::element_aligned);
+  [[gnu::always_inline]] NodeLanes() {
+    unrolled<packs>([&](auto k) { pack[k] = 0.0; });
+  }
+  [[gnu::always_inline]] explicit NodeLanes(const Table& table) {
+    unrolled<packs>([&](auto k) { pack[k] = Pack(&table[k * width], plain); });
   }
 
-  void store(std::array<Real, nodes>& values) const {
-    for (std::size_t k = 0; k < packs; ++k)
-      if ((k + 1) * width <= nodes)
-        pack[k].copy_to(&values[k * width], std::experimental::element_aligned);
+  [[gnu::always_inline]] void store(std::array<Real, nodes>& values) const {
+    unrolled<packs>([&](auto k) {
+      if constexpr ((k + 1) * width <= nodes)
+        pack[k].copy_to(&values[k * width], plain);
       else
         for (std::size_t c = k * width; c < nodes; ++c) values[c] = pack[k][c - k * width];
+    });
   }
 
-  NodeLanes& operator+=(const NodeLanes& b) {
-    for (std::size_t k = 0; k < packs; ++k) pack[k] += b.pack[k];
+  [[gnu::always_inline]] NodeLanes& operator+=(const NodeLanes& b) {
+    unrolled<packs>([&](auto k) { pack[k] += b.pack[k]; });
     return *this;
   }
-  friend NodeLanes operator+(NodeLanes a, const NodeLanes& b) { return a += b; }
-  friend NodeLanes operator*(NodeLanes a, const NodeLanes& b) {
-    for (std::size_t k = 0; k < packs; ++k) a.pack[k] *= b.pack[k];
+  [[gnu::always_inline]] friend NodeLanes operator+(NodeLanes a, const NodeLanes& b) {
+    return a += b;
+  }
+  [[gnu::always_inline]] friend NodeLanes operator*(NodeLanes a, const NodeLanes& b) {
+    unrolled<packs>([&](auto k) { a.pack[k] *= b.pack[k]; });
     return a;
   }
-  friend NodeLanes operator*(NodeLanes a, Real b) {
-    for (std::size_t k = 0; k < packs; ++k) a.pack[k] *= Pack(b);
+  [[gnu::always_inline]] friend NodeLanes operator*(NodeLanes a, Real b) {
+    unrolled<packs>([&](auto k) { a.pack[k] *= Pack(b); });
     return a;
   }
+
+ private:
+  static constexpr auto plain = std::experimental::element_aligned;
 };
 
 } // namespace scarp

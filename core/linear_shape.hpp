@@ -29,26 +29,23 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
     explicit Lanes(const StencilCell<Dim>&) {}
 
     [[gnu::always_inline]] StencilLanes<Dim, power(2, Dim)> operator()(const Vec<Dim>& xi) const {
-      constexpr auto tables = [] {
-        std::array<std::array<typename AtNodes::Table, Dim>, 2> both = {}; // at 0, and the slope
-        for (std::size_t a = 0; a < Dim; ++a)
-          for (std::size_t c = 0; c < Stencil<Dim, 2>::nodes; ++c) {
-            both[0][a][c] = c >> a & 1U ? 0.0 : 1.0;
-            both[1][a][c] = c >> a & 1U ? 1.0 : -1.0;
-          }
-        return both;
-      }();
-      const auto axes = [&](auto&& of_axis) {
-        return [&]<std::size_t... a>(std::index_sequence<a...>) {
-          return std::array<AtNodes, Dim>{of_axis(a)...};
-        }(std::make_index_sequence<Dim>());
-      };
-      const auto dw = axes([&](std::size_t a) { return AtNodes(tables[1][a]); });
-      return {axes([&](std::size_t a) { return AtNodes(tables[0][a]) + dw[a] * xi[a]; }), dw};
+      const auto dw = [&](std::size_t a) { return AtNodes(tables[1][a]); };
+      const auto w = [&](std::size_t a) { return AtNodes(tables[0][a]) + dw(a) * xi[a]; };
+      return {w, dw};
     }
 
    private:
     using AtNodes = NodeLanes<power(2, Dim)>;
+    /// At xi = 0, and the slope; by axis.
+    static constexpr std::array<std::array<typename AtNodes::Table, Dim>, 2> tables = [] {
+      std::array<std::array<typename AtNodes::Table, Dim>, 2> both = {};
+      for (std::size_t a = 0; a < Dim; ++a)
+        for (std::size_t c = 0; c < Stencil<Dim, 2>::nodes; ++c) {
+          both[0][a][c] = c >> a & 1U ? 0.0 : 1.0;
+          both[1][a][c] = c >> a & 1U ? 1.0 : -1.0;
+        }
+      return both;
+    }();
   };
 
  private:

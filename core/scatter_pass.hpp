@@ -43,6 +43,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
     state.nodal.tiles.resize(state.order.cells());
     const Particles<Dim>& points = state.particles;
     const bool tracks_fraction = state.nodal.tracks_fraction;
+    const bool regions_differ = !own_force.empty();
     const std::int64_t blocks = block_count(state);
 #pragma omp parallel
     {
@@ -93,12 +94,11 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
             if constexpr (force) {
               for (std::size_t i = 0; i < Dim; ++i)
                 for (std::size_t j = 0; j < Dim; ++j)
-                  f[i] += at.dN[j] *
-                          V_tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][k];
-              if (!own_force.empty()) // what is added here is multiplied by - 1/h below
+                  f[i] +=
+                      at.dN[j] * V_tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][k];
+              if (regions_differ) // what is added here is multiplied by - 1/h below
                 for (std::size_t i = 0; i < Dim; ++i)
-                  f[i] += at.N *
-                          (-cell.h * m_p[0][k] * own_force[points.region[block.rows[k]]][i]);
+                  f[i] += at.N * (-cell.h * m_p[0][k] * own_force[points.region[block.rows[k]]][i]);
             }
           }
           auto& tile = state.nodal.tiles[slot];

@@ -53,16 +53,13 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
     }
 
     [[gnu::always_inline]] StencilLanes<Dim, power(3, Dim)> operator()(const Vec<Dim>& xi) const {
-      const auto axes = [&](auto&& of_axis) {
-        return [&]<std::size_t... a>(std::index_sequence<a...>) {
-          return std::array<AtNodes, Dim>{of_axis(a)...};
-        }(std::make_index_sequence<Dim>());
-      };
+      const auto term = [&](std::size_t a, std::size_t k) { return AtNodes((*axis_[a])[k]); };
       const auto line = [&](std::size_t a, std::size_t k) {
-        return AtNodes((*axis_[a])[k]) + AtNodes((*axis_[a])[k + 1]) * xi[a];
+        return term(a, k) + term(a, k + 1) * xi[a];
       };
-      return {axes([&](std::size_t a) { return line(a, 0) * line(a, 2) + AtNodes((*axis_[a])[4]); }),
-              axes([&](std::size_t a) { return line(a, 5); })};
+      const auto w = [&](std::size_t a) { return line(a, 0) * line(a, 2) + term(a, 4); };
+      const auto dw = [&](std::size_t a) { return line(a, 5); };
+      return {w, dw};
     }
 
    private:

@@ -107,8 +107,8 @@ template <int Dim, class Shape>
 [[gnu::always_inline]] inline std::array<const NodeState<Dim>*, Shape::nodes>
 nodes_of_cell(const State<Dim, Shape>& state, std::size_t slot) {
   std::array<const NodeState<Dim>*, Shape::nodes> nodes;
-  const NodeState<Dim>* first = &state.nodal.nodes[static_cast<std::size_t>(
-      state.order.place(slot).first_node)];
+  const NodeState<Dim>* first =
+      &state.nodal.nodes[static_cast<std::size_t>(state.order.place(slot).first_node)];
   for (std::size_t c = 0; c < Shape::nodes; ++c) nodes[c] = first + state.grid.corner_offset[c];
   return nodes;
 }

@@ -16,8 +16,7 @@ template <int Dim> struct StencilCell {
   std::array<bool, Dim> first; ///< whether the cell is the grid's first along an axis
   std::array<bool, Dim> last;
 
-  StencilCell(const GridIndex<Dim>& grid, const std::array<int, Dim>& along,
-              Real half_point_length)
+  StencilCell(const GridIndex<Dim>& grid, const std::array<int, Dim>& along, Real half_point_length)
       : h(grid.h), inv_h(grid.inv_h), half_point(half_point_length) {
     for (std::size_t i = 0; i < Dim; ++i) {
       corner[i] = along[i];
@@ -44,8 +43,9 @@ template <std::size_t axes, class T, std::size_t width, std::size_t Dim, class V
       return T(value(first + k));
     else
       return interpolate_axes<axes - 1>(
-          w, value, first + k * static_cast<std::size_t>(
-                             power(static_cast<int>(width), static_cast<int>(axes) - 1)));
+          w, value,
+          first + k * static_cast<std::size_t>(
+                          power(static_cast<int>(width), static_cast<int>(axes) - 1)));
   };
   T sum = w[axes - 1][0] * part(0);
   for (std::size_t k = 1; k < width; ++k) sum += w[axes - 1][k] * part(k);
@@ -98,19 +98,20 @@ template <int Dim, int nodes> struct StencilLanes {
   NodeLanes<nodes> N;
   std::array<NodeLanes<nodes>, Dim> dN;
 
-  /// Of the functions along the axes, each given at the nodes.
-  StencilLanes(const std::array<NodeLanes<nodes>, Dim>& w,
-               const std::array<NodeLanes<nodes>, Dim>& dw)
-      : N(w[0]), dN(dw) {
-    for (std::size_t a = 1; a < Dim; ++a) N = N * w[a];
-    for (std::size_t a = 0; a < Dim; ++a)
-      for (std::size_t b = 0; b < Dim; ++b)
-        if (b != a) dN[a] = dN[a] * w[b];
+  /// Of the functions along the axes and their derivatives, at the nodes: w(axis), dw(axis).
+  template <class Functions, class Derivatives>
+  [[gnu::always_inline]] StencilLanes(const Functions& w, const Derivatives& dw) : N(w(0)) {
+    unrolled<Dim>([&](auto a) {
+      if constexpr (a > 0) N = N * w(a);
+      dN[a] = dw(a);
+      unrolled<Dim>([&](auto b) {
+        if constexpr (a != b) dN[a] = dN[a] * w(b);
+      });
+    });
   }
 };
 
 /// Whether shape functions have `Lanes`, which the fast passes need.
-template <class Shape>
-inline constexpr bool has_lanes = requires { typename Shape::Lanes; };
+template <class Shape> inline constexpr bool has_lanes = requires { typename Shape::Lanes; };
 
 } // namespace scarp

@@ -25,7 +25,8 @@ namespace scarp {
 /// R = (I - W/2)^-1 (I + W/2): exactly orthogonal, so rotation alone never changes an invariant.
 /// `w` holds the spin increment: Dim 2: W_xz; Dim 3: W_xy, W_yz, W_xz.
 template <int Dim, class T>
-void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
+[[gnu::always_inline]] inline void rotate(SymTensor<Dim, T>& tau,
+                                          const std::array<T, Dim == 2 ? 1 : 3>& w) {
   if constexpr (Dim == 2) {
     const T a = 0.5 * w[0]; // R = [[c, s], [-s, c]]
     const T scale = 1.0 / (1.0 + a * a);
@@ -66,9 +67,10 @@ void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
 /// elastic trial, then the law's return.  Returns what was irreversible.  `gap` and `room`: see
 /// core/drucker_prager.hpp.
 template <int Dim, class T = Real, class Law>
-PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
-                             const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation,
-                             Real dt, const ElasticModuli& moduli, const Law& law) {
+[[gnu::always_inline]] inline PlasticStep<T>
+update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
+              const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation, Real dt,
+              const ElasticModuli& moduli, const Law& law) {
   const auto spin = [&](std::size_t i, std::size_t j) -> T {
     return 0.5 * dt * (grad_v[i][j] - grad_v[j][i]);
   };
@@ -102,8 +104,8 @@ PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, 
 /// What the points of a block of cells feel, line after line.
 template <int Dim> struct StrainRates {
   BlockLines<Dim * Dim> grad_v; ///< 1/s, [Dim i + j] = d v_i / d x_j
-  BlockLines<1> dilation;                    ///< 1/s, rate of volume beyond tr(grad_v)
-  BlockLines<1> fraction;                    ///< -, if the law remembers gaps
+  BlockLines<1> dilation;       ///< 1/s, rate of volume beyond tr(grad_v)
+  BlockLines<1> fraction;       ///< -, if the law remembers gaps
 
   void resize(std::size_t rows) {
     grad_v.resize(rows);
@@ -157,8 +159,7 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
         sum += V0 * own_rate(k);
         weight += V0;
       }
-      for (std::size_t k = begin; k < end; ++k)
-        rates.dilation[0][k] = sum / weight - own_rate(k);
+      for (std::size_t k = begin; k < end; ++k) rates.dilation[0][k] = sum / weight - own_rate(k);
     }
     begin = end;
   }
