@@ -36,9 +36,9 @@ template <int Dim, class Shape> struct AffineWeights {
 /// Next to a mirror (core/node_pass.hpp) the control point takes what its image would, N_I r_I -
 /// N_image r_image = N_I r_I +- h/2 N_held, so that the velocity of a uniform strain is kept.
 template <int Dim, class Shape>
-void add_affine_momentum(std::array<Vec<Dim>, Shape::nodes>& mv, const Particles<Dim>& points,
-                         const Shape& shape, const Vec<Dim>& xi, const StencilCell<Dim>& cell,
-                         std::size_t p) {
+void add_affine_momentum(std::array<std::array<Real, Shape::nodes>, Dim>& mv,
+                         const Particles<Dim>& points, const Shape& shape, const Vec<Dim>& xi,
+                         const StencilCell<Dim>& cell, std::size_t p) {
   const AffineWeights<Dim, Shape> weights(shape, xi, cell);
   const Real m = points.m[p];
   const auto moment = [&](std::size_t axis, std::size_t k, std::size_t component) {
@@ -56,7 +56,7 @@ void add_affine_momentum(std::array<Vec<Dim>, Shape::nodes>& mv, const Particles
         Real Nr = moment(j, k[j], i);
         for (std::size_t b = 0; b < Dim; ++b)
           if (b != j) Nr *= shape.w[b][k[b]];
-        mv[c][i] += m * points.C[Dim * i + j][p] * Nr;
+        mv[i][c] += m * points.C[Dim * i + j][p] * Nr;
       }
   }
 }

@@ -22,7 +22,7 @@ void body_force_pass(State<Dim, Shape>& state, const BodyForceField& field, Real
       const std::array<double, 3> b = field(place, time);
       for (std::size_t c = 0; c < shape.nodes; ++c)
         for (int a = 0; a < Dim; ++a)
-          tile.f[c][static_cast<std::size_t>(a)] +=
+          tile.f[static_cast<std::size_t>(a)][c] +=
               points.m[p] * b[scene_axis<Dim>(a)] * shape.N[c];
     }
   });

@@ -21,27 +21,43 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
     int index;                     ///< in the grid
     std::array<int, corners> slot; ///< occupied cell of which this node is corner c, or -1
   };
+  /// Where an occupied cell lies.
+  struct Place {
+    int first_node;             ///< its lowest node
+    std::array<int, Dim> along; ///< cells before it along each axis
+  };
 
   explicit CellOrder(const GridIndex<Dim>& grid)
       : grid_(&grid), count_(static_cast<std::size_t>(grid.cell_count) + 1),
-        slot_(static_cast<std::size_t>(grid.node_count + grid.reach()), -1),
-        active_(static_cast<std::size_t>(grid.node_count), 0) {}
+        slot_(static_cast<std::size_t>(grid.node_count + grid.reach()), -1) {}
 
   /// Assigns every point to its cell.  All points must lie in the grid.
   void update(Particles<Dim>& particles);
 
   std::size_t cells() const { return occupied_.size(); }
   int cell(std::size_t slot) const { return occupied_[slot]; }
+  const Place& place(std::size_t slot) const { return places_[slot]; }
   std::size_t begin(std::size_t slot) const { return begin_[slot]; }
   std::size_t end(std::size_t slot) const { return begin_[slot + 1]; }
   std::uint32_t row(std::size_t k) const { return rows_[k]; }
+  const std::uint32_t* rows() const { return rows_.data(); }
 
   const std::vector<Node>& nodes() const { return nodes_; }
 
  private:
   static constexpr double reorder_part = 0.05;
 
-  void count_points(std::size_t points);
+  struct Move {
+    int to; ///< cell
+    std::uint32_t row;
+    int from;
+    auto operator<=>(const Move&) const = default;
+  };
+
+  std::vector<Move> find_moves(const Particles<Dim>& particles);
+  void count_points();
+  void follow(const std::vector<Move>& moves);
+  void find_places();
   void find_nodes();
   void reorder(Particles<Dim>& particles);
 
@@ -49,10 +65,10 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
   std::vector<int> cell_of_;         ///< of each row
   std::vector<std::uint32_t> count_; ///< scratch of the counting sort
   std::vector<int> slot_;            ///< by lowest node of a cell, padded: occupied slot or -1
-  std::vector<std::uint8_t> active_; ///< by node: corner of an occupied cell
   std::vector<int> occupied_, previous_;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> rows_;
+  std::vector<Place> places_;
+  std::vector<std::uint32_t> begin_, previous_begin_;
+  std::vector<std::uint32_t> rows_, previous_rows_;
   std::vector<Node> nodes_;
   std::size_t moved_ = 0; ///< cell changes since the columns were last put into order
 };

@@ -103,7 +103,8 @@ struct DruckerPragerUpdate {
   /// is zero, and what lies inside both surfaces stays as it is.
   /// `gap` is that before the step and is brought up to date; `room` is its upper bound.
   template <int Dim, class T>
-  PlasticStep<T> operator()(SymTensor<Dim, T>& stress, T& gap, const T& room) const {
+  [[gnu::always_inline]] PlasticStep<T> operator()(SymTensor<Dim, T>& stress, T& gap,
+                                                   const T& room) const {
     using std::max, std::min, std::sqrt;
     const T mean_trial = trace<Dim, T>(stress) * (1.0 / 3.0);
     SymTensor<Dim, T> s = stress;

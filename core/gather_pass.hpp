@@ -1,86 +1,110 @@
 // Cells to points (G2P): the points' velocities and the step's displacement; for MUSL the new
-// momenta go back to the cells' corners in the same sweep.
+// momenta go back to the cells' nodes in the same sweep.
 #pragma once
 
-#include "core/affine.hpp"
-#include "core/state.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "core/reference/gather_pass.hpp"
 
 namespace scarp {
-
-struct Gathered {
-  Real fastest = 0.0; ///< m/s, largest |v_p| and |dx_p / dt|
-  /// The first point, in the order of creation, whose new position lies outside the grid or is not
-  /// a number.
-  std::uint32_t outside = no_point;
-};
 
 /// dx_p = dt sum_I N_I v_I
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
-/// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
-/// N_I.
 template <int Dim, bool remap, class Shape>
 Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
-  constexpr std::size_t corners = State<Dim, Shape>::corners;
-  const bool affine = state.particles.affine();
-  Particles<Dim>& points = state.particles;
-  Real fastest2 = 0.0;
-  std::uint32_t outside = no_point;
-  const auto n = static_cast<std::int64_t>(state.order.cells());
-#pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(min : outside)
-  for (std::int64_t s = 0; s < n; ++s) {
-    const auto slot = static_cast<std::size_t>(s);
-    const int first = state.grid.first_node(state.order.cell(slot));
-    std::array<Vec<Dim>, corners> v_I;
-    std::array<Vec<Dim>, corners> dv_I;
-    for (std::size_t c = 0; c < corners; ++c) {
-      const auto& node =
-          state.nodal.nodes[static_cast<std::size_t>(first + state.grid.corner_offset[c])];
-      v_I[c] = node.v;
-      dv_I[c] = node.dv;
-    }
-    std::array<Vec<Dim>, corners> mv_I = {};
-    const StencilCell<Dim> cell = stencil_cell(state, slot);
+  if constexpr (!has_lanes<Shape>) {
+    return reference::gather_pass<Dim, remap>(state, flip, dt);
+  } else {
+    if (state.particles.affine()) return reference::gather_pass<Dim, remap>(state, flip, dt);
+    using AtNodes = NodeLanes<Shape::nodes>;
+    Particles<Dim>& points = state.particles;
+    Real fastest2 = 0.0;
+    std::uint32_t outside = no_point;
+    const std::int64_t blocks = block_count(state);
+#pragma omp parallel reduction(max : fastest2) reduction(min : outside)
+    {
+      BlockLines<Dim> xi, v_grid, dv_grid, m_v;
+      RealPack fastest = 0.0; // v2 of this thread's points, by lane
+#pragma omp for schedule(static)
+      for (std::int64_t b = 0; b < blocks; ++b) {
+        const CellBlock block = cell_block(state, b);
+        xi.resize(block.size);
+        v_grid.resize(block.size);
+        dv_grid.resize(block.size);
+        m_v.resize(block.size);
+        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
+          const std::array<RealPack, Dim> place = local_position(state, block.pack(k));
+          for (std::size_t i = 0; i < Dim; ++i) store_lanes(place[i], xi[i] + k);
+        }
 
-    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-      const std::size_t p = state.order.row(k);
-      const Shape shape = shape_at(state, cell, p);
-      Vec<Dim> v_grid = {};
-      Vec<Dim> dv_grid = {};
-      for (std::size_t c = 0; c < corners; ++c) {
-        for (std::size_t i = 0; i < Dim; ++i) {
-          v_grid[i] += shape.N[c] * v_I[c][i];
-          dv_grid[i] += shape.N[c] * dv_I[c][i];
+        // Lanes beyond a cell's last point are written again with the next cell.
+        std::size_t begin = 0;
+        for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
+          const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
+          const StencilCell<Dim> cell = stencil_cell(state, slot);
+          const auto nodes = nodes_of_cell(state, slot);
+          for (std::size_t k = begin; k < end; k += RealPack::size()) {
+            std::array<RealPack, Dim> place;
+            for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
+            const auto w = Shape::along(place, cell).w;
+            for (std::size_t i = 0; i < Dim; ++i) {
+              store_lanes(interpolate(w, [&](std::size_t c) { return nodes[c]->v[i]; }),
+                          v_grid[i] + k);
+              store_lanes(interpolate(w, [&](std::size_t c) { return nodes[c]->dv[i]; }),
+                          dv_grid[i] + k);
+            }
+          }
+          begin = end;
+        }
+
+        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
+          const RowPack rows = block.pack(k);
+          const RealPack m = rows.load(points.m);
+          RealPack v2 = 0.0, v_grid2 = 0.0;
+          RealPack::mask_type inside(true);
+          for (std::size_t i = 0; i < Dim; ++i) {
+            const RealPack v_I = load_lanes(v_grid[i] + k);
+            const RealPack dv_I = load_lanes(dv_grid[i] + k);
+            const RealPack v = flip * (rows.load(points.v[i]) + dv_I) + (1.0 - flip) * v_I;
+            const RealPack dx = dt * v_I;
+            rows.store(v, points.v[i]);
+            rows.store(dx, points.dx[i]);
+            if constexpr (remap) store_lanes(m * v, m_v[i] + k);
+            v2 += v * v;
+            v_grid2 += v_I * v_I;
+            const RealPack x_new = state.grid.scaled(rows.load(points.x[i]) + dx, i);
+            inside = inside && x_new >= 0.0 && x_new < static_cast<Real>(state.grid.cells[i]);
+          }
+          v2 = max(v2, v_grid2);
+          if (rows.size() == RowPack::capacity)
+            fastest = max(fastest, v2);
+          else
+            for (std::size_t lane = 0; lane < rows.size(); ++lane)
+              fastest2 = std::max(fastest2, static_cast<Real>(v2[lane]));
+          if (!all_of(inside))
+            for (std::size_t lane = 0; lane < rows.size(); ++lane)
+              if (!inside[lane]) outside = std::min(outside, points.id[block.rows[k + lane]]);
+        }
+
+        if constexpr (remap) {
+          std::size_t k = 0;
+          for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
+            const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
+            const typename Shape::Lanes functions(stencil_cell(state, slot));
+            std::array<AtNodes, Dim> mv;
+            for (; k < end; ++k) {
+              Vec<Dim> place;
+              for (std::size_t i = 0; i < Dim; ++i) place[i] = xi[i][k];
+              const AtNodes N = functions(place).N;
+              for (std::size_t i = 0; i < Dim; ++i) mv[i] += N * m_v[i][k];
+            }
+            for (std::size_t i = 0; i < Dim; ++i) mv[i].store(state.nodal.tiles[slot].mv[i]);
+          }
         }
       }
-      Vec<Dim> v_p;
-      Real v2 = 0.0, v_grid2 = 0.0;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
-        points.v[i][p] = v_p[i];
-        points.dx[i][p] = dt * v_grid[i];
-        v2 += v_p[i] * v_p[i];
-        v_grid2 += v_grid[i] * v_grid[i];
-      }
-      fastest2 = std::max({fastest2, v2, v_grid2});
-      Vec<Dim> x_new;
-      for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
-      if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
-      if (affine) gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
-      if constexpr (remap) {
-        if (affine)
-          add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
-        const Real m = points.m[p];
-        for (std::size_t c = 0; c < corners; ++c)
-          for (std::size_t i = 0; i < Dim; ++i) mv_I[c][i] += m * v_p[i] * shape.N[c];
-      }
+      fastest2 = std::max(fastest2, hmax(fastest));
     }
-    if constexpr (remap) state.nodal.tiles[slot].mv = mv_I;
+    return {std::sqrt(fastest2), outside};
   }
-  return {std::sqrt(fastest2), outside};
 }
 
 } // namespace scarp

@@ -13,15 +13,19 @@ namespace scarp {
 template <int Dim> struct GimpShape : Stencil<Dim, 4> {
   static constexpr NodeLayout layout = NodeLayout::padded;
 
-  GimpShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) {
-    typename Stencil<Dim, 4>::Along dw;
-    auto& weight = this->w;
+  GimpShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) : Stencil<Dim, 4>(along(xi, cell)) {}
+
+  template <class T>
+  static AlongAxes<Dim, 4, T> along(const std::array<T, Dim>& xi, const StencilCell<Dim>& cell) {
+    using std::max;
+    AlongAxes<Dim, 4, T> along;
+    auto& [weight, dw] = along;
     for (std::size_t a = 0; a < Dim; ++a) {
       // The part of the point beyond the cell's ends, in cells, and the squares that its averages
       // take: int of the hats over [xi - l, xi + l] / 2 l.
       const Real l = cell.half_point;
-      const Real below = std::max(l - xi[a], 0.0);
-      const Real above = std::max(l - (1.0 - xi[a]), 0.0);
+      const T below = max(l - xi[a], T(0.0));
+      const T above = max(l - (1.0 - xi[a]), T(0.0));
       const Real scale = 1.0 / (4.0 * l);
       weight[a][0] = below * below * scale;
       weight[a][3] = above * above * scale;
@@ -34,7 +38,7 @@ template <int Dim> struct GimpShape : Stencil<Dim, 4> {
       dw[a][2] = cell.inv_h + dw[a][0] - 2.0 * dw[a][3];
       dw[a][1] = -dw[a][0] - dw[a][2] - dw[a][3];
     }
-    this->multiply(dw);
+    return along;
   }
 
   /// Largest slope at a wall, 1/cell.

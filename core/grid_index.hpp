@@ -103,19 +103,25 @@ template <int Dim> struct GridIndex {
     return {plane, plane};
   }
 
+  /// Cells before a cell along each axis.
+  std::array<int, Dim> along(int cell) const {
+    std::array<int, Dim> steps;
+    for (std::size_t i = Dim; i-- > 0; cell %= cell_stride[i]) steps[i] = cell / cell_stride[i];
+    return steps;
+  }
+
   /// Lowest node of a cell.
   int first_node(int cell) const {
+    const std::array<int, Dim> steps = along(cell);
     int node = 0;
-    for (int a = Dim - 1; a >= 0; --a) {
-      const auto i = static_cast<std::size_t>(a);
-      node += cell / cell_stride[i] * node_stride[i];
-      cell %= cell_stride[i];
-    }
+    for (std::size_t i = 0; i < Dim; ++i) node += steps[i] * node_stride[i];
     return node;
   }
 
   /// Position in cells from the lower corner; the cell's own part is xi - floor(xi).
-  Real scaled(Real x, std::size_t axis) const { return (x - lower[axis]) * inv_h; }
+  template <class T> T scaled(const T& x, std::size_t axis) const {
+    return (x - lower[axis]) * inv_h;
+  }
 
   /// False for NaN as well.
   bool contains(const Vec<Dim>& x) const {

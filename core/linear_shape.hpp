@@ -10,15 +10,11 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
   static constexpr NodeLayout layout = NodeLayout::corner;
 
   LinearShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) : LinearShape(xi, cell.inv_h) {}
+  LinearShape(const Vec<Dim>& xi, Real inv_h) : Stencil<Dim, 2>(along_axes(xi, inv_h)) {}
 
-  LinearShape(const Vec<Dim>& xi, Real inv_h) {
-    typename Stencil<Dim, 2>::Along dw;
-    auto& weight = this->w;
-    for (std::size_t a = 0; a < Dim; ++a) {
-      weight[a] = {1.0 - xi[a], xi[a]};
-      dw[a] = {-inv_h, inv_h};
-    }
-    this->multiply(dw);
+  template <class T>
+  static AlongAxes<Dim, 2, T> along(const std::array<T, Dim>& xi, const StencilCell<Dim>& cell) {
+    return along_axes(xi, cell.inv_h);
   }
 
   /// Largest slope at a wall, 1/cell.
@@ -29,6 +25,42 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
 
   /// Parts of a cell's volume that belong to its nodes along an axis.
   static std::array<Real, 2> shares(bool, bool) { return {0.5, 0.5}; }
+
+  /// w = 1 - xi or xi.
+  class Lanes {
+   public:
+    explicit Lanes(const StencilCell<Dim>&) {}
+
+    [[gnu::always_inline]] StencilLanes<Dim, power(2, Dim)> operator()(const Vec<Dim>& xi) const {
+      const auto dw = [&](std::size_t a) { return AtNodes(tables[1][a]); };
+      const auto w = [&](std::size_t a) { return AtNodes(tables[0][a]) + dw(a) * xi[a]; };
+      return {w, dw};
+    }
+
+   private:
+    using AtNodes = NodeLanes<power(2, Dim)>;
+    /// At xi = 0, and the slope; by axis.
+    static constexpr std::array<std::array<typename AtNodes::Table, Dim>, 2> tables = [] {
+      std::array<std::array<typename AtNodes::Table, Dim>, 2> both = {};
+      for (std::size_t a = 0; a < Dim; ++a)
+        for (std::size_t c = 0; c < Stencil<Dim, 2>::nodes; ++c) {
+          both[0][a][c] = c >> a & 1U ? 0.0 : 1.0;
+          both[1][a][c] = c >> a & 1U ? 1.0 : -1.0;
+        }
+      return both;
+    }();
+  };
+
+ private:
+  template <class T>
+  static AlongAxes<Dim, 2, T> along_axes(const std::array<T, Dim>& xi, Real inv_h) {
+    AlongAxes<Dim, 2, T> along;
+    for (std::size_t a = 0; a < Dim; ++a) {
+      along.w[a] = {1.0 - xi[a], xi[a]};
+      along.dw[a] = {T(-inv_h), T(inv_h)};
+    }
+    return along;
+  }
 };
 
 } // namespace scarp

@@ -52,7 +52,7 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
       const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
       node.m += tile.m[c];
       V0 += tile.V0[c];
-      for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[c][i];
+      for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[i][c];
     }
     if (state.nodal.tracks_fraction) {
       const Real volume = state.nodal.volume[static_cast<std::size_t>(at.index)];
@@ -92,7 +92,7 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
     for (std::size_t c = 0; c < at.slot.size(); ++c) {
       if (at.slot[c] < 0) continue;
       const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
-      for (std::size_t i = 0; i < Dim; ++i) node.f[i] += tile.f[c][i];
+      for (std::size_t i = 0; i < Dim; ++i) node.f[i] += tile.f[i][c];
     }
     const Vec<Dim> before = node.v;
     Vec<Dim> drag = {};
@@ -123,7 +123,7 @@ void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
     for (std::size_t c = 0; c < at.slot.size(); ++c) {
       if (at.slot[c] < 0) continue;
       const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
-      for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[c][i];
+      for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[i][c];
     }
     for (std::size_t i = 0; i < Dim; ++i) node.v[i] = node.mv[i] * node.inv_m[i];
     walls.constrain(at.index, node.v);

@@ -12,10 +12,11 @@ namespace scarp {
 /// What the points of one cell give its corners.  A node adds up the tiles of the cells around it
 /// in a fixed order, so no two threads ever write to the same place.
 template <int Dim, int corners> struct CellTile {
-  std::array<Real, corners> m;      ///< kg
-  std::array<Real, corners> V0;     ///< m3, of the unloaded material; only if it is tracked
-  std::array<Vec<Dim>, corners> mv; ///< kg m/s
-  std::array<Vec<Dim>, corners> f;  ///< N, internal
+  using AtNodes = std::array<Real, corners>;
+  AtNodes m;                   ///< kg
+  AtNodes V0;                  ///< m3, of the unloaded material; only if it is tracked
+  std::array<AtNodes, Dim> mv; ///< kg m/s
+  std::array<AtNodes, Dim> f;  ///< N, internal
 };
 
 template <int Dim> struct NodeState {
@@ -43,7 +44,7 @@ template <int Dim, class Shape> struct GridState {
     if (!tracks_fraction) return;
     volume.assign(nodes.size(), 0.0);
     for (int index = 0; index < grid.cell_count; ++index) {
-      const StencilCell<Dim> cell(grid, index, 0.0);
+      const StencilCell<Dim> cell(grid, grid.along(index), 0.0);
       for (std::size_t c = 0; c < Shape::nodes; ++c) {
         const auto k = Shape::places(c);
         Real share = std::pow(grid.h, Dim);

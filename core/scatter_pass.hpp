@@ -1,84 +1,118 @@
 // Points to cells (P2G): lumped mass, momentum and internal force of the nodes a cell reaches.
 #pragma once
 
-#include "core/affine.hpp"
-#include "core/state.hpp"
+#include "core/reference/scatter_pass.hpp"
 
 namespace scarp {
 
-enum class Terms { mass_momentum, force, all };
+/// Gives points k to end, those of a cell, their mean of the mean stress: sum V0 p / sum V0.
+template <int Dim>
+void average_mean_stress(BlockLines<tensor_size<Dim>>& V_tau, const Real* V0, std::size_t begin,
+                         std::size_t end) {
+  Real sum = 0.0, weight = 0.0;
+  const auto trace_at = [&](std::size_t k) { return V_tau[0][k] + V_tau[1][k] + V_tau[2][k]; };
+  for (std::size_t k = begin; k < end; ++k) {
+    sum += trace_at(k);
+    weight += V0[k];
+  }
+  for (std::size_t k = begin; k < end; ++k) {
+    const Real excess = (V0[k] * (sum / weight) - trace_at(k)) * (1.0 / 3.0);
+    for (std::size_t i = 0; i < 3; ++i) V_tau[i][k] += excess;
+  }
+}
 
 /// m_I = sum_p m_p N_I,  (m v)_I = sum_p m_p v_p N_I,
 /// f_I = - sum_p V0_p tau_p . grad N_I                                     (Wu 2017, section 1)
 /// with the Kirchhoff stress tau = J sigma, so V0 tau = V sigma: see core/stress_pass.hpp.
 /// Where regions differ in their body force, f_I also takes sum_p m_p b_p N_I with `own_force`, the
 /// region's body force beyond the common one, m/s2; empty: they do not.
-/// Affine transfers: v_p + C_p (x_I - x_p) instead of v_p.
 /// Cell averages of the volumetric strain: in f_I the mean stress of a point is that of its cell,
 /// sum_p V0_p p_p / sum_p V0_p; see core/stress_pass.hpp.
+///
+/// First the products, with points in the lanes of registers; then each point in turn adds to all
+/// nodes of its cell, which are in the lanes.
 template <int Dim, Terms terms, class Shape>
 void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_force = {}) {
-  constexpr bool momentum = terms != Terms::force;
-  constexpr bool force = terms != Terms::mass_momentum;
-  state.nodal.tiles.resize(state.order.cells());
-  const Particles<Dim>& points = state.particles;
-  [[maybe_unused]] const bool tracks_fraction = state.nodal.tracks_fraction;
-  [[maybe_unused]] const bool affine = points.affine();
+  if constexpr (!has_lanes<Shape>) {
+    reference::scatter_pass<Dim, terms>(state, own_force);
+  } else {
+    if (state.particles.affine()) return reference::scatter_pass<Dim, terms>(state, own_force);
+    constexpr bool momentum = terms != Terms::force;
+    constexpr bool force = terms != Terms::mass_momentum;
+    using AtNodes = NodeLanes<Shape::nodes>;
+    state.nodal.tiles.resize(state.order.cells());
+    const Particles<Dim>& points = state.particles;
+    const bool tracks_fraction = state.nodal.tracks_fraction;
+    const bool regions_differ = !own_force.empty();
+    const std::int64_t blocks = block_count(state);
+#pragma omp parallel
+    {
+      BlockLines<Dim> xi, m_v;
+      BlockLines<1> m_p, V0_p;
+      BlockLines<tensor_size<Dim>> V_tau;
+#pragma omp for schedule(static)
+      for (std::int64_t b = 0; b < blocks; ++b) {
+        const CellBlock block = cell_block(state, b);
+        xi.resize(block.size);
+        m_v.resize(block.size);
+        m_p.resize(block.size);
+        V0_p.resize(block.size);
+        V_tau.resize(block.size);
+        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
+          const RowPack rows = block.pack(k);
+          const std::array<RealPack, Dim> place = local_position(state, rows);
+          const RealPack m = rows.load(points.m);
+          const RealPack V0 = rows.load(points.V0);
+          store_lanes(m, m_p[0] + k);
+          store_lanes(V0, V0_p[0] + k);
+          for (std::size_t i = 0; i < Dim; ++i) {
+            store_lanes(place[i], xi[i] + k);
+            if constexpr (momentum) store_lanes(m * rows.load(points.v[i]), m_v[i] + k);
+          }
+          if constexpr (force)
+            for (std::size_t i = 0; i < tensor_size<Dim>; ++i)
+              store_lanes(V0 * rows.load(points.tau[i]), V_tau[i] + k);
+        }
 
-  for_each_cell(state, [&](std::size_t slot) {
-    auto tile = state.nodal.tiles[slot];
-    if constexpr (momentum) {
-      tile.m = {};
-      tile.V0 = {};
-      tile.mv = {};
-    }
-    if constexpr (force) tile.f = {};
-    const StencilCell<Dim> cell = stencil_cell(state, slot);
-    [[maybe_unused]] const Real mean_of_cell =
-        force && state.averages_volume
-            ? cell_mean(state, slot, [&](std::size_t p) { return mean_stress(points, p); })
-            : 0.0;
-
-    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-      const std::size_t p = state.order.row(k);
-      const Shape shape = shape_at(state, cell, p);
-      [[maybe_unused]] const Real m = points.m[p];
-      [[maybe_unused]] const Real V0 = points.V0[p];
-      Vec<Dim> mv;
-      Mat<Dim> V_sigma;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        mv[i] = m * points.v[i][p];
-        for (std::size_t j = 0; j < Dim; ++j)
-          V_sigma[i][j] =
-              V0 * points.tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][p];
-      }
-      if constexpr (force)
-        if (state.averages_volume) {
-          const Real excess = V0 * (mean_of_cell - mean_stress(points, p));
-          for (std::size_t i = 0; i < Dim; ++i) V_sigma[i][i] += excess;
-        }
-      if constexpr (force)
-        if (!own_force.empty())
-          for (std::size_t c = 0; c < shape.nodes; ++c)
-            for (std::size_t i = 0; i < Dim; ++i)
-              tile.f[c][i] += m * own_force[points.region[p]][i] * shape.N[c];
-      if constexpr (momentum)
-        if (affine)
-          add_affine_momentum<Dim>(tile.mv, points, shape, local_position(state, cell, p), cell, p);
-      for (std::size_t c = 0; c < shape.nodes; ++c) {
-        if constexpr (momentum) {
-          if (tracks_fraction) tile.V0[c] += V0 * shape.N[c];
-          tile.m[c] += m * shape.N[c];
-          for (std::size_t i = 0; i < Dim; ++i) tile.mv[c][i] += mv[i] * shape.N[c];
-        }
-        if constexpr (force) {
-          for (std::size_t i = 0; i < Dim; ++i)
-            for (std::size_t j = 0; j < Dim; ++j) tile.f[c][i] -= V_sigma[i][j] * shape.dN[c][j];
+        std::size_t k = 0;
+        for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
+          const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
+          const StencilCell<Dim> cell = stencil_cell(state, slot);
+          const typename Shape::Lanes functions(cell);
+          if (force && state.averages_volume) average_mean_stress<Dim>(V_tau, V0_p[0], k, end);
+          AtNodes m, V0;
+          std::array<AtNodes, Dim> mv, f;
+          for (; k < end; ++k) {
+            Vec<Dim> place;
+            for (std::size_t i = 0; i < Dim; ++i) place[i] = xi[i][k];
+            const StencilLanes<Dim, Shape::nodes> at = functions(place);
+            if constexpr (momentum) {
+              m += at.N * m_p[0][k];
+              if (tracks_fraction) V0 += at.N * V0_p[0][k];
+              for (std::size_t i = 0; i < Dim; ++i) mv[i] += at.N * m_v[i][k];
+            }
+            if constexpr (force) {
+              for (std::size_t i = 0; i < Dim; ++i)
+                for (std::size_t j = 0; j < Dim; ++j)
+                  f[i] +=
+                      at.dN[j] * V_tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][k];
+              if (regions_differ) // what is added here is multiplied by - 1/h below
+                for (std::size_t i = 0; i < Dim; ++i)
+                  f[i] += at.N * (-cell.h * m_p[0][k] * own_force[points.region[block.rows[k]]][i]);
+            }
+          }
+          auto& tile = state.nodal.tiles[slot];
+          if constexpr (momentum) {
+            m.store(tile.m);
+            if (tracks_fraction) V0.store(tile.V0);
+            for (std::size_t i = 0; i < Dim; ++i) mv[i].store(tile.mv[i]);
+          }
+          if constexpr (force)
+            for (std::size_t i = 0; i < Dim; ++i) (f[i] * -cell.inv_h).store(tile.f[i]);
         }
       }
     }
-    state.nodal.tiles[slot] = tile;
-  });
+  }
 }
 
 } // namespace scarp

@@ -340,6 +340,9 @@ template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const S
   if (start.position.size() != 3 * n)
     throw SetupError("the state to begin from has " + std::to_string(start.position.size() / 3) +
                      " points, the scene has " + std::to_string(n));
+  if (points.affine() && start.velocity_gradient.size() != 9 * n)
+    throw SetupError("the state to begin from has no velocity gradients, which an affine transfer "
+                     "needs");
   const double tolerance = 1e-6 * state_.grid.h;
   for (std::size_t p = 0; p < n; ++p) {
     bool same = std::abs(start.initial_volume[p] - points.V0[p]) <= 1e-6 * points.V0[p];

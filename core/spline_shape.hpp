@@ -12,21 +12,25 @@ namespace scarp {
 template <int Dim> struct SplineShape : Stencil<Dim, 3> {
   static constexpr NodeLayout layout = NodeLayout::spline;
 
-  SplineShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) {
-    typename Stencil<Dim, 3>::Along dw;
-    auto& weight = this->w;
+  SplineShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell)
+      : Stencil<Dim, 3>(along(xi, cell)) {}
+
+  template <class T>
+  static AlongAxes<Dim, 3, T> along(const std::array<T, Dim>& xi, const StencilCell<Dim>& cell) {
+    AlongAxes<Dim, 3, T> along;
+    auto& [w, dw] = along;
     for (std::size_t a = 0; a < Dim; ++a) {
       const Real below = cell.first[a] ? 1.0 : 0.5;
       const Real above = cell.last[a] ? 1.0 : 0.5;
-      const Real left = 1.0 - xi[a];
-      weight[a][0] = below * left * left;
-      weight[a][2] = above * xi[a] * xi[a];
-      weight[a][1] = 1.0 - weight[a][0] - weight[a][2];
+      const T left = 1.0 - xi[a];
+      w[a][0] = below * left * left;
+      w[a][2] = above * xi[a] * xi[a];
+      w[a][1] = 1.0 - w[a][0] - w[a][2];
       dw[a][0] = -2.0 * below * left * cell.inv_h;
       dw[a][2] = 2.0 * above * xi[a] * cell.inv_h;
       dw[a][1] = -dw[a][0] - dw[a][2];
     }
-    this->multiply(dw);
+    return along;
   }
 
   /// Largest slope at a wall, 1/cell.
@@ -45,6 +49,52 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
     const Real above = last ? 1.0 / 3.0 : 1.0 / 6.0;
     return {below, 1.0 - below - above, above};
   }
+
+  /// w = (a + b xi) (c + d xi) + e at every node, as products so that small weights are exact.
+  class Lanes {
+   public:
+    explicit Lanes(const StencilCell<Dim>& cell) {
+      for (std::size_t a = 0; a < Dim; ++a)
+        axis_[a] = &tables[a][(cell.first[a] ? 1U : 0U) + (cell.last[a] ? 2U : 0U)];
+    }
+
+    [[gnu::always_inline]] StencilLanes<Dim, power(3, Dim)> operator()(const Vec<Dim>& xi) const {
+      const auto term = [&](std::size_t a, std::size_t k) { return AtNodes((*axis_[a])[k]); };
+      const auto line = [&](std::size_t a, std::size_t k) {
+        return term(a, k) + term(a, k + 1) * xi[a];
+      };
+      const auto w = [&](std::size_t a) { return line(a, 0) * line(a, 2) + term(a, 4); };
+      const auto dw = [&](std::size_t a) { return line(a, 5); };
+      return {w, dw};
+    }
+
+   private:
+    using AtNodes = NodeLanes<power(3, Dim)>;
+    /// a, b, c, d, e, and of the derivative: b c + a d, 2 b d
+    using Coefficients = std::array<typename AtNodes::Table, 7>;
+
+    /// By axis; for cells inside, the first, the last, and the only one along it.
+    static constexpr std::array<std::array<Coefficients, 4>, Dim> tables = [] {
+      std::array<std::array<Coefficients, 4>, Dim> all = {};
+      for (std::size_t axis = 0; axis < Dim; ++axis)
+        for (std::size_t side = 0; side < 4; ++side) {
+          const Real below = side & 1U ? 1.0 : 0.5;
+          const Real above = side & 2U ? 1.0 : 0.5;
+          const std::array<std::array<Real, 5>, 3> of_place = {
+              {{1.0, -1.0, below, -below, 0.0},
+               {0.0, 1.0, 2.0 * below, -below - above, 1.0 - below},
+               {0.0, 1.0, 0.0, above, 0.0}}};
+          for (std::size_t node = 0; node < Stencil<Dim, 3>::nodes; ++node) {
+            const auto& [a, b, c, d, e] = of_place[Stencil<Dim, 3>::places(node)[axis]];
+            const std::array<Real, 7> values = {a, b, c, d, e, b * c + a * d, 2.0 * b * d};
+            for (std::size_t k = 0; k < values.size(); ++k) all[axis][side][k][node] = values[k];
+          }
+        }
+      return all;
+    }();
+
+    std::array<const Coefficients*, Dim> axis_;
+  };
 };
 
 } // namespace scarp

@@ -3,10 +3,12 @@
 
 #include "core/cell_order.hpp"
 #include "core/grid_index.hpp"
+#include "core/lanes.hpp"
 #include "core/linear_shape.hpp"
 #include "core/nodes.hpp"
 #include "core/particles.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -39,6 +41,42 @@ void for_each_cell(const State<Dim, Shape>& state, Visit&& visit) {
   for (std::int64_t s = 0; s < n; ++s) visit(static_cast<std::size_t>(s));
 }
 
+/// Occupied cells that a thread works on together, so that registers are full of their points.
+struct CellBlock {
+  static constexpr std::size_t cells = 32;
+  std::size_t first_slot, end_slot;
+  const std::uint32_t* rows; ///< of Particles
+  std::size_t size;          ///< number of rows
+
+  [[gnu::always_inline]] RowPack pack(std::size_t k) const {
+    return {rows + k, std::min(RowPack::capacity, size - k)};
+  }
+};
+
+template <int Dim, class Shape> std::int64_t block_count(const State<Dim, Shape>& state) {
+  return static_cast<std::int64_t>((state.order.cells() + CellBlock::cells - 1) / CellBlock::cells);
+}
+
+template <int Dim, class Shape>
+CellBlock cell_block(const State<Dim, Shape>& state, std::int64_t index) {
+  const std::size_t first = static_cast<std::size_t>(index) * CellBlock::cells;
+  const std::size_t end = std::min(first + CellBlock::cells, state.order.cells());
+  const std::size_t begin = state.order.begin(first);
+  return {first, end, state.order.rows() + begin, state.order.begin(end) - begin};
+}
+
+/// Where the rows of a pack lie in their cells, each component in [0, 1).
+template <int Dim, class Shape>
+[[gnu::always_inline]] inline std::array<RealPack, Dim>
+local_position(const State<Dim, Shape>& state, const RowPack& rows) {
+  std::array<RealPack, Dim> xi;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    const RealPack scaled = state.grid.scaled(rows.load(state.particles.x[i]), i);
+    xi[i] = scaled - floor(scaled);
+  }
+  return xi;
+}
+
 /// Calls visit(node) for every active CellOrder::Node, on all threads.
 template <int Dim, class Shape, class Visit>
 void for_each_node(const State<Dim, Shape>& state, Visit&& visit) {
@@ -50,7 +88,7 @@ void for_each_node(const State<Dim, Shape>& state, Visit&& visit) {
 /// What the points of an occupied cell share in their shape functions.
 template <int Dim, class Shape>
 StencilCell<Dim> stencil_cell(const State<Dim, Shape>& state, std::size_t slot) {
-  return StencilCell<Dim>(state.grid, state.order.cell(slot), state.half_point);
+  return StencilCell<Dim>(state.grid, state.order.place(slot).along, state.half_point);
 }
 
 /// Where row p lies in its cell, each component in [0, 1).
@@ -62,6 +100,17 @@ local_position(const State<Dim, Shape>& state, const std::type_identity_t<Stenci
   for (std::size_t i = 0; i < Dim; ++i)
     xi[i] = state.grid.scaled(state.particles.x[i][p], i) - cell.corner[i];
   return xi;
+}
+
+/// The nodes that a cell reaches.
+template <int Dim, class Shape>
+[[gnu::always_inline]] inline std::array<const NodeState<Dim>*, Shape::nodes>
+nodes_of_cell(const State<Dim, Shape>& state, std::size_t slot) {
+  std::array<const NodeState<Dim>*, Shape::nodes> nodes;
+  const NodeState<Dim>* first =
+      &state.nodal.nodes[static_cast<std::size_t>(state.order.place(slot).first_node)];
+  for (std::size_t c = 0; c < Shape::nodes; ++c) nodes[c] = first + state.grid.corner_offset[c];
+  return nodes;
 }
 
 /// Shape functions at row p.

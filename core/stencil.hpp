@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grid_index.hpp"
+#include "core/lanes.hpp"
 #include "core/types.hpp"
 
 namespace scarp {
@@ -17,31 +18,62 @@ template <int Dim> struct StencilCell {
   /// See GridIndex: of the sides that the cell lies at.
   std::array<std::array<std::uint8_t, 2>, Dim> odd;
 
-  StencilCell(const GridIndex<Dim>& grid, int cell, Real half_point_length)
+  StencilCell(const GridIndex<Dim>& grid, const std::array<int, Dim>& along, Real half_point_length)
       : h(grid.h), inv_h(grid.inv_h), half_point(half_point_length) {
-    for (int a = Dim - 1; a >= 0; --a) {
-      const auto i = static_cast<std::size_t>(a);
-      const int along = cell / grid.cell_stride[i];
-      corner[i] = along;
-      first[i] = along == 0;
-      last[i] = along + 1 == grid.cells[i];
+    for (std::size_t i = 0; i < Dim; ++i) {
+      corner[i] = along[i];
+      first[i] = along[i] == 0;
+      last[i] = along[i] + 1 == grid.cells[i];
       odd[i][0] = first[i] ? grid.odd[i][0] : std::uint8_t{0};
       odd[i][1] = last[i] ? grid.odd[i][1] : std::uint8_t{0};
-      cell %= grid.cell_stride[i];
     }
   }
 };
 
+/// Functions along each axis and their derivatives, 1/m.  T is Real, or holds several points.
+template <int Dim, int width, class T = Real> struct AlongAxes {
+  using Values = std::array<std::array<T, width>, Dim>;
+  Values w;
+  Values dw;
+};
+
+/// sum_I w_I value(I) over the nodes of a cell, where w_I is the product of the functions along the
+/// axes: axis after axis.
+template <std::size_t axes, class T, std::size_t width, std::size_t Dim, class Value>
+[[gnu::always_inline]] inline T interpolate_axes(const std::array<std::array<T, width>, Dim>& w,
+                                                 const Value& value, std::size_t first) {
+  const auto part = [&](std::size_t k) -> T {
+    if constexpr (axes == 1)
+      return T(value(first + k));
+    else
+      return interpolate_axes<axes - 1>(
+          w, value,
+          first + k * static_cast<std::size_t>(
+                          power(static_cast<int>(width), static_cast<int>(axes) - 1)));
+  };
+  T sum = w[axes - 1][0] * part(0);
+  for (std::size_t k = 1; k < width; ++k) sum += w[axes - 1][k] * part(k);
+  return sum;
+}
+
+template <class T, std::size_t width, std::size_t Dim, class Value>
+[[gnu::always_inline]] inline T interpolate(const std::array<std::array<T, width>, Dim>& w,
+                                            const Value& value) {
+  return interpolate_axes<Dim>(w, value, 0);
+}
+
 /// N and grad N (1/m) at the width^Dim nodes of a cell, x fastest.
-template <int Dim, int width> struct Stencil {
+template <int Dim, int width_> struct Stencil {
+  static constexpr int width = width_;
   static constexpr int nodes = power(width, Dim);
-  using Along = std::array<std::array<Real, width>, Dim>; ///< by axis
+  using Along = typename AlongAxes<Dim, width>::Values;
   std::array<Real, nodes> N;
   std::array<Vec<Dim>, nodes> dN;
   Along w; ///< N is the product of these
 
  protected:
-  void multiply(const Along& dw) {
+  explicit Stencil(const AlongAxes<Dim, width>& along) : w(along.w) {
+    const Along& dw = along.dw;
     for (std::size_t c = 0; c < nodes; ++c) {
       const std::array<std::size_t, Dim> k = places(c);
       Real product = 1.0;
@@ -64,5 +96,26 @@ template <int Dim, int width> struct Stencil {
     return k;
   }
 };
+
+/// N and dN at one point, with a cell's nodes in the lanes of registers; dN in 1/cell.
+template <int Dim, int nodes> struct StencilLanes {
+  NodeLanes<nodes> N;
+  std::array<NodeLanes<nodes>, Dim> dN;
+
+  /// Of the functions along the axes and their derivatives, at the nodes: w(axis), dw(axis).
+  template <class Functions, class Derivatives>
+  [[gnu::always_inline]] StencilLanes(const Functions& w, const Derivatives& dw) : N(w(0)) {
+    unrolled<Dim>([&](auto a) {
+      if constexpr (a > 0) N = N * w(a);
+      dN[a] = dw(a);
+      unrolled<Dim>([&](auto b) {
+        if constexpr (a != b) dN[a] = dN[a] * w(b);
+      });
+    });
+  }
+};
+
+/// Whether shape functions have `Lanes`, which the fast passes need.
+template <class Shape> inline constexpr bool has_lanes = requires { typename Shape::Lanes; };
 
 } // namespace scarp

@@ -19,15 +19,14 @@
 #include "core/drucker_prager.hpp"
 #include "core/state.hpp"
 
-#include <experimental/simd>
-
 namespace scarp {
 
 /// tau <- R tau R^T with the rotation of Hughes & Winget 1980 (doi 10.1002/nme.1620151210),
 /// R = (I - W/2)^-1 (I + W/2): exactly orthogonal, so rotation alone never changes an invariant.
 /// `w` holds the spin increment: Dim 2: W_xz; Dim 3: W_xy, W_yz, W_xz.
 template <int Dim, class T>
-void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
+[[gnu::always_inline]] inline void rotate(SymTensor<Dim, T>& tau,
+                                          const std::array<T, Dim == 2 ? 1 : 3>& w) {
   if constexpr (Dim == 2) {
     const T a = 0.5 * w[0]; // R = [[c, s], [-s, c]]
     const T scale = 1.0 / (1.0 + a * a);
@@ -68,9 +67,10 @@ void rotate(SymTensor<Dim, T>& tau, const std::array<T, Dim == 2 ? 1 : 3>& w) {
 /// elastic trial, then the law's return.  Returns what was irreversible.  `gap` and `room`: see
 /// core/drucker_prager.hpp.
 template <int Dim, class T = Real, class Law>
-PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
-                             const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation,
-                             Real dt, const ElasticModuli& moduli, const Law& law) {
+[[gnu::always_inline]] inline PlasticStep<T>
+update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
+              const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation, Real dt,
+              const ElasticModuli& moduli, const Law& law) {
   const auto spin = [&](std::size_t i, std::size_t j) -> T {
     return 0.5 * dt * (grad_v[i][j] - grad_v[j][i]);
   };
@@ -101,128 +101,139 @@ PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, 
   return update_stress<Dim, T>(tau, gap, T(0.0), grad_v, T(0.0), dt, moduli, law);
 }
 
-/// Several points in the lanes of one register.
-using RealPack = std::experimental::native_simd<Real>;
+/// What the points of a block of cells feel, line after line.
+template <int Dim> struct StrainRates {
+  BlockLines<Dim * Dim> grad_v; ///< 1/s, [Dim i + j] = d v_i / d x_j
+  BlockLines<1> dilation;       ///< 1/s, rate of volume beyond tr(grad_v)
+  BlockLines<1> fraction;       ///< -, if the law remembers gaps
 
-/// Points treated together: gathered from their rows, updated a pack at a time, written back.
-template <int Dim> struct StressBatch {
-  static constexpr std::size_t capacity = 64;
-  using Lanes = std::array<Real, capacity>;
-  std::size_t size = 0;
-  bool opens = false; ///< whether the law remembers gaps; `gap` and `room` are 0 otherwise
-  std::array<std::uint32_t, capacity> row = {};
-  Mat<Dim, Lanes> grad_v = {};
-  Lanes dilation = {}; ///< 1/s, rate of volume beyond tr(grad_v); 0 without cell averages
-  SymTensor<Dim, Lanes> tau = {};
-  Lanes strain = {};
-  Lanes dissipation = {};
-  Lanes forgotten = {};
-  Lanes gap = {};
-  Lanes room = {};
+  void resize(std::size_t rows) {
+    grad_v.resize(rows);
+    dilation.resize(rows);
+    fraction.resize(rows);
+  }
 };
 
-template <int Dim, class Law>
-void update_batch(StressBatch<Dim>& batch, Particles<Dim>& points, Real dt,
-                  const ElasticModuli& moduli, const Law& law) {
-  constexpr auto plain = std::experimental::element_aligned;
-  for (std::size_t i = 0; i < batch.tau.size(); ++i)
-    for (std::size_t k = 0; k < batch.size; ++k) batch.tau[i][k] = points.tau[i][batch.row[k]];
-
-  for (std::size_t k = 0; k < batch.size; k += RealPack::size()) {
-    Mat<Dim, RealPack> grad_v;
-    for (std::size_t i = 0; i < Dim; ++i)
-      for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j].copy_from(&batch.grad_v[i][j][k], plain);
-    SymTensor<Dim, RealPack> tau;
-    for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_from(&batch.tau[i][k], plain);
-    RealPack gap(&batch.gap[k], plain);
-    const RealPack room(&batch.room[k], plain);
-    const RealPack dilation(&batch.dilation[k], plain);
-    const PlasticStep<RealPack> plastic =
-        update_stress<Dim, RealPack>(tau, gap, room, grad_v, dilation, dt, moduli, law);
-    gap.copy_to(&batch.gap[k], plain);
-    for (std::size_t i = 0; i < tau.size(); ++i) tau[i].copy_to(&batch.tau[i][k], plain);
-    plastic.strain.copy_to(&batch.strain[k], plain);
-    plastic.dissipation.copy_to(&batch.dissipation[k], plain);
-    plastic.forgotten.copy_to(&batch.forgotten[k], plain);
+/// grad v = sum_I v_I (x) grad N_I at the points of a block.
+template <int Dim, class Shape>
+void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, bool opens,
+                       BlockLines<Dim>& xi, StrainRates<Dim>& rates) {
+  xi.resize(block.size);
+  rates.resize(block.size);
+  for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
+    const std::array<RealPack, Dim> place = local_position(state, block.pack(k));
+    for (std::size_t i = 0; i < Dim; ++i) store_lanes(place[i], xi[i] + k);
   }
 
-  for (std::size_t i = 0; i < batch.tau.size(); ++i)
-    for (std::size_t k = 0; k < batch.size; ++k) points.tau[i][batch.row[k]] = batch.tau[i][k];
-  for (std::size_t k = 0; k < batch.size; ++k) {
-    const std::size_t p = batch.row[k];
-    points.plastic_strain[p] += batch.strain[k];
-    if (batch.opens) points.gap[p] = batch.gap[k];
-    points.dissipation[p] += batch.dissipation[k];
-    Real volumetric = batch.dilation[k];
-    for (std::size_t i = 0; i < Dim; ++i) volumetric += batch.grad_v[i][i][k];
-    // A gap that is not remembered is no volume of the material either: else it adds up for ever.
-    points.J[p] *= (1.0 + dt * volumetric) / (1.0 + batch.forgotten[k]);
+  // Lanes beyond a cell's last point are written again with the next cell.
+  std::size_t begin = 0;
+  for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
+    const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
+    const StencilCell<Dim> cell = stencil_cell(state, slot);
+    const auto nodes = nodes_of_cell(state, slot);
+    for (std::size_t k = begin; k < end; k += RealPack::size()) {
+      std::array<RealPack, Dim> place;
+      for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
+      const auto along = Shape::along(place, cell);
+      for (std::size_t j = 0; j < Dim; ++j) {
+        auto functions = along.w;
+        functions[j] = along.dw[j];
+        for (std::size_t i = 0; i < Dim; ++i)
+          store_lanes(interpolate(functions, [&](std::size_t c) { return nodes[c]->v[i]; }),
+                      rates.grad_v[Dim * i + j] + k);
+      }
+      if (opens)
+        store_lanes(interpolate(along.w, [&](std::size_t c) { return nodes[c]->fraction; }),
+                    rates.fraction[0] + k);
+    }
+
+    if (state.averages_volume) {
+      const auto own_rate = [&](std::size_t k) {
+        Real sum = 0.0;
+        for (std::size_t i = 0; i < Dim; ++i) sum += rates.grad_v[Dim * i + i][k];
+        return sum;
+      };
+      Real sum = 0.0, weight = 0.0;
+      for (std::size_t k = begin; k < end; ++k) {
+        const Real V0 = state.particles.V0[block.rows[k]];
+        sum += V0 * own_rate(k);
+        weight += V0;
+      }
+      for (std::size_t k = begin; k < end; ++k) rates.dilation[0][k] = sum / weight - own_rate(k);
+    }
+    begin = end;
   }
-  batch.size = 0;
 }
 
-/// All points of one material (which remembers gaps, if it `opens`), with grad v = sum_I v_I (x)
-/// grad N_I of the nodes' present velocities.
+/// Stresses of the points in a pack, whose rates begin at k.  Those of other materials stay.
+template <int Dim, class Law>
+[[gnu::always_inline]] inline void
+update_pack(Particles<Dim>& points, const RowPack& rows, StrainRates<Dim>& rates, std::size_t k,
+            const RealPack::mask_type* of_others, bool averages, bool opens, Real dt,
+            const ElasticModuli& moduli, const Law& law) {
+  const auto store = [&](RealPack values, Column& column) {
+    if (of_others) where(*of_others, values) = rows.load(column);
+    rows.store(values, column);
+  };
+  const RealPack dilation = averages ? load_lanes(rates.dilation[0] + k) : RealPack(0.0);
+  RealPack rate = dilation;
+  Mat<Dim, RealPack> grad_v;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] = load_lanes(rates.grad_v[Dim * i + j] + k);
+    rate += grad_v[i][i];
+  }
+  SymTensor<Dim, RealPack> tau;
+  for (std::size_t i = 0; i < tau.size(); ++i) tau[i] = rows.load(points.tau[i]);
+  RealPack gap = 0.0, room = 0.0;
+  if (opens) {
+    gap = rows.load(points.gap);
+    room = max(1.0 / load_lanes(rates.fraction[0] + k) - 1.0, RealPack(0.0));
+  }
+  const PlasticStep<RealPack> plastic =
+      update_stress<Dim, RealPack>(tau, gap, room, grad_v, dilation, dt, moduli, law);
+  for (std::size_t i = 0; i < tau.size(); ++i) store(tau[i], points.tau[i]);
+  if (opens) store(gap, points.gap);
+  if constexpr (!std::is_same_v<Law, ElasticUpdate>) {
+    store(rows.load(points.plastic_strain) + plastic.strain, points.plastic_strain);
+    store(rows.load(points.dissipation) + plastic.dissipation, points.dissipation);
+  }
+  // A gap that is not remembered is no volume of the material either: else it adds up for ever.
+  store(rows.load(points.J) * (1.0 + dt * rate) / (1.0 + plastic.forgotten), points.J);
+}
+
+/// All points of one material (which remembers gaps, if it `opens`), with the nodes' present
+/// velocities.
 template <int Dim, class Law, class Shape>
 void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
                  const Law& law, bool opens, Real dt) {
-  constexpr std::size_t corners = State<Dim, Shape>::corners;
   Particles<Dim>& points = state.particles;
-  const auto cells = static_cast<std::int64_t>(state.order.cells());
+  const std::int64_t blocks = block_count(state);
 #pragma omp parallel
   {
-    StressBatch<Dim> batch;
-    batch.opens = opens;
-#pragma omp for schedule(static) nowait
-    for (std::int64_t s = 0; s < cells; ++s) {
-      const auto slot = static_cast<std::size_t>(s);
-      const int first = state.grid.first_node(state.order.cell(slot));
-      std::array<Vec<Dim>, corners> v_I;
-      std::array<Real, corners> fraction_I;
-      for (std::size_t c = 0; c < corners; ++c) {
-        const auto node = static_cast<std::size_t>(first + state.grid.corner_offset[c]);
-        v_I[c] = state.nodal.nodes[node].v;
-        fraction_I[c] = state.nodal.nodes[node].fraction;
-      }
-      const StencilCell<Dim> cell = stencil_cell(state, slot);
-      const auto gradient = [&](const Shape& shape) {
-        Mat<Dim> grad_v = {};
-        for (std::size_t c = 0; c < corners; ++c)
-          for (std::size_t i = 0; i < Dim; ++i)
-            for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += v_I[c][i] * shape.dN[c][j];
-        return grad_v;
-      };
-      const auto divergence = [&](std::size_t p) {
-        const Mat<Dim> grad_v = gradient(shape_at(state, cell, p));
-        Real sum = 0.0;
-        for (std::size_t i = 0; i < Dim; ++i) sum += grad_v[i][i];
-        return sum;
-      };
-      const Real mean_rate = state.averages_volume ? cell_mean(state, slot, divergence) : 0.0;
-
-      for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-        const std::uint32_t p = state.order.row(k);
-        if (points.material[p] != material) continue;
-        const Shape shape = shape_at(state, cell, p);
-        const Mat<Dim> grad_v = gradient(shape);
-        if (state.averages_volume) {
-          Real own = 0.0;
-          for (std::size_t i = 0; i < Dim; ++i) own += grad_v[i][i];
-          batch.dilation[batch.size] = mean_rate - own;
+    BlockLines<Dim> xi;
+    StrainRates<Dim> rates;
+#pragma omp for schedule(static)
+    for (std::int64_t b = 0; b < blocks; ++b) {
+      const CellBlock block = cell_block(state, b);
+      std::size_t own = 0;
+      for (std::size_t k = 0; k < block.size; ++k)
+        own += points.material[block.rows[k]] == material ? 1U : 0U;
+      if (own == 0) continue;
+      find_strain_rates(state, block, opens, xi, rates);
+      for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
+        const RowPack rows = block.pack(k);
+        if (own == block.size) {
+          update_pack(points, rows, rates, k, nullptr, state.averages_volume, opens, dt, moduli,
+                      law);
+        } else {
+          RealPack::mask_type others(true);
+          for (std::size_t lane = 0; lane < rows.size(); ++lane)
+            others[lane] = points.material[block.rows[k + lane]] != material;
+          update_pack(points, rows, rates, k, &others, state.averages_volume, opens, dt, moduli,
+                      law);
         }
-        for (std::size_t i = 0; i < Dim; ++i)
-          for (std::size_t j = 0; j < Dim; ++j) batch.grad_v[i][j][batch.size] = grad_v[i][j];
-        if (opens) {
-          Real fraction = 0.0;
-          for (std::size_t c = 0; c < corners; ++c) fraction += shape.N[c] * fraction_I[c];
-          batch.room[batch.size] = std::max(1.0 / fraction - 1.0, 0.0);
-          batch.gap[batch.size] = points.gap[p];
-        }
-        batch.row[batch.size++] = p;
-        if (batch.size == batch.capacity) update_batch(batch, points, dt, moduli, law);
       }
     }
-    update_batch(batch, points, dt, moduli, law);
   }
 }
 

@@ -33,6 +33,7 @@ std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Sna
   start.initial_volume = rest->field("initial_volume");
   start.plastic_strain.assign(n, 0.0);
   start.gap.assign(n, 0.0);
+  start.velocity_gradient.assign(9 * n, 0.0);
   change(start);
   constexpr double for_ever = 1e9; // s
   Stage stage;

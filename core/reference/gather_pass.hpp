@@ -1,0 +1,81 @@
+// Cells to points (G2P), a point and a node at a time: what core/gather_pass.hpp does fast.
+// The points' velocities and the step's displacement; for MUSL the new
+// momenta go back to the cells' corners in the same sweep.
+#pragma once
+
+#include "core/affine.hpp"
+#include "core/state.hpp"
+#include "core/transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scarp::reference {
+
+/// dx_p = dt sum_I N_I v_I
+/// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
+/// Remap: (m v)_I = sum_p m_p v_p N_I.
+/// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
+/// N_I.
+template <int Dim, bool remap, class Shape>
+Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
+  constexpr std::size_t corners = State<Dim, Shape>::corners;
+  const bool affine = state.particles.affine();
+  Particles<Dim>& points = state.particles;
+  Real fastest2 = 0.0;
+  std::uint32_t outside = no_point;
+  const auto n = static_cast<std::int64_t>(state.order.cells());
+#pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(min : outside)
+  for (std::int64_t s = 0; s < n; ++s) {
+    const auto slot = static_cast<std::size_t>(s);
+    const int first = state.order.place(slot).first_node;
+    std::array<Vec<Dim>, corners> v_I;
+    std::array<Vec<Dim>, corners> dv_I;
+    for (std::size_t c = 0; c < corners; ++c) {
+      const auto& node =
+          state.nodal.nodes[static_cast<std::size_t>(first + state.grid.corner_offset[c])];
+      v_I[c] = node.v;
+      dv_I[c] = node.dv;
+    }
+    std::array<std::array<Real, corners>, Dim> mv_I = {};
+    const StencilCell<Dim> cell = stencil_cell(state, slot);
+
+    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+      const std::size_t p = state.order.row(k);
+      const Shape shape = shape_at(state, cell, p);
+      Vec<Dim> v_grid = {};
+      Vec<Dim> dv_grid = {};
+      for (std::size_t c = 0; c < corners; ++c) {
+        for (std::size_t i = 0; i < Dim; ++i) {
+          v_grid[i] += shape.N[c] * v_I[c][i];
+          dv_grid[i] += shape.N[c] * dv_I[c][i];
+        }
+      }
+      Vec<Dim> v_p;
+      Real v2 = 0.0, v_grid2 = 0.0;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
+        points.v[i][p] = v_p[i];
+        points.dx[i][p] = dt * v_grid[i];
+        v2 += v_p[i] * v_p[i];
+        v_grid2 += v_grid[i] * v_grid[i];
+      }
+      fastest2 = std::max({fastest2, v2, v_grid2});
+      Vec<Dim> x_new;
+      for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
+      if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
+      if (affine) gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
+      if constexpr (remap) {
+        if (affine)
+          add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
+        const Real m = points.m[p];
+        for (std::size_t c = 0; c < corners; ++c)
+          for (std::size_t i = 0; i < Dim; ++i) mv_I[i][c] += m * v_p[i] * shape.N[c];
+      }
+    }
+    if constexpr (remap) state.nodal.tiles[slot].mv = mv_I;
+  }
+  return {std::sqrt(fastest2), outside};
+}
+
+} // namespace scarp::reference

@@ -1,0 +1,58 @@
+// Stress of every point, a point and a node at a time: what core/stress_pass.hpp does fast.
+#pragma once
+
+#include "core/stress_pass.hpp"
+
+namespace scarp::reference {
+
+/// grad v = sum_I v_I (x) grad N_I.
+template <int Dim, class Shape>
+Mat<Dim> velocity_gradient(const State<Dim, Shape>& state, std::size_t slot, std::size_t p) {
+  const Shape shape = shape_at(state, stencil_cell(state, slot), p);
+  const auto nodes = nodes_of_cell(state, slot);
+  Mat<Dim> grad_v = {};
+  for (std::size_t c = 0; c < Shape::nodes; ++c)
+    for (std::size_t i = 0; i < Dim; ++i)
+      for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += nodes[c]->v[i] * shape.dN[c][j];
+  return grad_v;
+}
+
+template <int Dim, class Law, class Shape>
+void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
+                 const Law& law, bool opens, Real dt) {
+  Particles<Dim>& points = state.particles;
+  for_each_cell(state, [&](std::size_t slot) {
+    const auto divergence = [&](std::size_t p) {
+      const Mat<Dim> grad_v = velocity_gradient(state, slot, p);
+      Real sum = 0.0;
+      for (std::size_t i = 0; i < Dim; ++i) sum += grad_v[i][i];
+      return sum;
+    };
+    const Real mean_rate = state.averages_volume ? cell_mean(state, slot, divergence) : 0.0;
+    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+      const std::size_t p = state.order.row(k);
+      if (points.material[p] != material) continue;
+      const Real dilation = state.averages_volume ? mean_rate - divergence(p) : 0.0;
+      Real gap = 0.0, room = 0.0;
+      if (opens) {
+        const Shape shape = shape_at(state, stencil_cell(state, slot), p);
+        const auto nodes = nodes_of_cell(state, slot);
+        Real fraction = 0.0;
+        for (std::size_t c = 0; c < Shape::nodes; ++c) fraction += shape.N[c] * nodes[c]->fraction;
+        room = std::max(1.0 / fraction - 1.0, 0.0);
+        gap = points.gap[p];
+      }
+      SymTensor<Dim> tau;
+      for (std::size_t i = 0; i < tau.size(); ++i) tau[i] = points.tau[i][p];
+      const PlasticStep<> plastic = update_stress<Dim, Real>(
+          tau, gap, room, velocity_gradient(state, slot, p), dilation, dt, moduli, law);
+      for (std::size_t i = 0; i < tau.size(); ++i) points.tau[i][p] = tau[i];
+      if (opens) points.gap[p] = gap;
+      points.plastic_strain[p] += plastic.strain;
+      points.dissipation[p] += plastic.dissipation;
+      points.J[p] *= (1.0 + dt * (divergence(p) + dilation)) / (1.0 + plastic.forgotten);
+    }
+  });
+}
+
+} // namespace scarp::reference

@@ -1,0 +1,136 @@
+// The passes against those of core/reference, which take a point and a node at a time: the same to
+// rounding, for any number of points in a cell, rows out of order, several materials, and options.
+#include "core/gather_pass.hpp"
+#include "core/gimp_shape.hpp"
+#include "core/lattice.hpp"
+#include "core/node_pass.hpp"
+#include "core/reference/gather_pass.hpp"
+#include "core/reference/scatter_pass.hpp"
+#include "core/reference/stress_pass.hpp"
+#include "core/scatter_pass.hpp"
+#include "core/spline_shape.hpp"
+#include "core/stress_pass.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+using namespace scarp;
+using namespace scarp::test;
+
+namespace {
+
+template <int Dim> Scene block() {
+  Scene scene;
+  scene.grid = Dim == 2 ? grid_2d(0.5, {-1.0, 2.0}, {4.0, 6.0})
+                        : grid_3d(0.5, {-1.0, -3.0, 2.0}, {2.5, -0.5, 5.0});
+  scene.materials = {elastic("m", 1.0, 1.0, 0.3)};
+  scene.regions = {box("b", "m", {-1.0, 2.0}, {Dim == 2 ? 3.0 : 1.0, 4.5}, {}, {-3.0, -0.5})};
+  return scene;
+}
+
+/// Random points, most of them crowded into a few cells, some moved after the columns were sorted.
+template <int Dim, class Shape> std::unique_ptr<State<Dim, Shape>> random_state() {
+  const Scene scene = block<Dim>();
+  auto state = std::make_unique<State<Dim, Shape>>(scene.grid, fill_regions<Dim>(scene), true);
+  auto& points = state->particles;
+  Random random(7);
+  const auto anywhere = [&](std::size_t p) {
+    for (std::size_t i = 0; i < Dim; ++i) {
+      const double part = random.between(0.0, 0.999);
+      points.x[i][p] = state->grid.lower[i] +
+                       0.5 * state->grid.cells[i] * (p % 4 == 0 ? part : part * part * part);
+    }
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    anywhere(p);
+    for (Column& component : points.v) component[p] = random.between(-1.0, 1.0);
+    for (Column& component : points.tau) component[p] = random.between(-1.0, 1.0);
+    points.m[p] = random.between(0.5, 1.5);
+    points.V0[p] = random.between(0.5, 1.5);
+    points.gap[p] = random.between(0.0, 0.1);
+    points.material[p] = p % 3 == 0;
+    points.region[p] = p % 2;
+  }
+  state->order.update(points);
+  for (std::size_t p = 0; p < points.size(); p += 41) anywhere(p);
+  state->order.update(points);
+  for (auto& node : state->nodal.nodes) {
+    for (Real& v : node.v) v = random.between(-1.0, 1.0);
+    for (Real& dv : node.dv) dv = random.between(-1.0, 1.0);
+    node.fraction = random.between(0.2, 1.2);
+  }
+  return state;
+}
+
+void expect_same(const Column& a, const Column& b, const char* what) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k)
+    ASSERT_NEAR(a[k], b[k], 1e-13 * (1.0 + std::abs(b[k]))) << what << ' ' << k;
+}
+
+template <int Dim, class Shape>
+void expect_same(const State<Dim, Shape>& a, const State<Dim, Shape>& b, bool with_tiles) {
+  for (std::size_t i = 0; i < Dim; ++i) {
+    expect_same(a.particles.v[i], b.particles.v[i], "v");
+    expect_same(a.particles.dx[i], b.particles.dx[i], "dx");
+  }
+  for (std::size_t i = 0; i < a.particles.tau.size(); ++i)
+    expect_same(a.particles.tau[i], b.particles.tau[i], "tau");
+  expect_same(a.particles.J, b.particles.J, "J");
+  expect_same(a.particles.gap, b.particles.gap, "gap");
+  expect_same(a.particles.plastic_strain, b.particles.plastic_strain, "plastic strain");
+  expect_same(a.particles.dissipation, b.particles.dissipation, "dissipation");
+  if (!with_tiles) return;
+  ASSERT_EQ(a.nodal.tiles.size(), b.nodal.tiles.size());
+  for (std::size_t s = 0; s < a.nodal.tiles.size(); ++s)
+    for (std::size_t c = 0; c < Shape::nodes; ++c) {
+      ASSERT_NEAR(a.nodal.tiles[s].m[c], b.nodal.tiles[s].m[c], 1e-12);
+      ASSERT_NEAR(a.nodal.tiles[s].V0[c], b.nodal.tiles[s].V0[c], 1e-12);
+      for (std::size_t i = 0; i < Dim; ++i) {
+        ASSERT_NEAR(a.nodal.tiles[s].mv[i][c], b.nodal.tiles[s].mv[i][c], 1e-12);
+        ASSERT_NEAR(a.nodal.tiles[s].f[i][c], b.nodal.tiles[s].f[i][c], 1e-11);
+      }
+    }
+}
+
+template <int Dim, class Shape> void check_all_passes() {
+  const auto fast = random_state<Dim, Shape>();
+  const auto plain = random_state<Dim, Shape>();
+  Vec<Dim> b = {};
+  b[0] = 3.0;
+  for (const bool averages : {false, true}) {
+    fast->averages_volume = plain->averages_volume = averages;
+    for (const auto& own_force : {std::vector<Vec<Dim>>(), std::vector<Vec<Dim>>{b, {}}}) {
+      scatter_pass<Dim, Terms::all>(*fast, own_force);
+      reference::scatter_pass<Dim, Terms::all>(*plain, own_force);
+      expect_same(*fast, *plain, true);
+    }
+    const Gathered a = gather_pass<Dim, true>(*fast, 0.9, 0.01);
+    const Gathered c = reference::gather_pass<Dim, true>(*plain, 0.9, 0.01);
+    EXPECT_NEAR(a.fastest, c.fastest, 1e-13);
+    EXPECT_EQ(a.outside, c.outside);
+    expect_same(*fast, *plain, true);
+
+    DruckerPrager law;
+    law.friction_angle = 30.0;
+    const ElasticModuli moduli = {2.0, 1.0};
+    const auto update = DruckerPragerUpdate::from(law, moduli);
+    for (const std::uint8_t material : {std::uint8_t{0}, std::uint8_t{1}}) {
+      stress_pass<Dim>(*fast, material, moduli, update, material == 1, 0.01);
+      reference::stress_pass<Dim>(*plain, material, moduli, update, material == 1, 0.01);
+    }
+    expect_same(*fast, *plain, false);
+  }
+}
+
+} // namespace
+
+TEST(AgainstReference, LinearPlaneStrain) { check_all_passes<2, LinearShape<2>>(); }
+TEST(AgainstReference, Linear3d) { check_all_passes<3, LinearShape<3>>(); }
+TEST(AgainstReference, SplinePlaneStrain) { check_all_passes<2, SplineShape<2>>(); }
+TEST(AgainstReference, Spline3d) { check_all_passes<3, SplineShape<3>>(); }
+TEST(AgainstReference, GimpPlaneStrain) { check_all_passes<2, GimpShape<2>>(); }
+TEST(AgainstReference, Gimp3d) { check_all_passes<3, GimpShape<3>>(); }
