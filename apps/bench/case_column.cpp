@@ -15,7 +15,6 @@ constexpr double height = 2.0, density = 2000.0, g = 9.8; // m, kg/m3, m/s2
 constexpr double nu = 0.25;
 constexpr double modulus = 600e6; // Pa, of uniaxial strain: 1.2 E.  Strains of 7e-5
 constexpr double base_pressure = density * g * height;
-constexpr double settlement = 0.5 * base_pressure * height / modulus;
 
 struct Column {
   std::vector<double> z;        ///< m

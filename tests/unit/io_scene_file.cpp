@@ -114,6 +114,18 @@ TEST(SceneFile, ReadsThePileOfBui2008) {
             (std::vector<std::array<double, 2>>{{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}));
 }
 
+TEST(SceneFile, PresetIsWhereTheMethodStarts) {
+  const std::filesystem::path pile = data / "scenes" / "bui2008.toml";
+  EXPECT_EQ(read_scene(pile).method.shape, ShapeFunctions::linear);
+  const Method accurate = read_scene(pile, {"method.preset=accurate"}).method;
+  EXPECT_EQ(accurate.shape, ShapeFunctions::bspline);
+  EXPECT_EQ(accurate.transfer, VelocityTransfer::apic);
+  EXPECT_EQ(accurate.flip, 0.999) << "the file's own keys count";
+  const Method changed = read_scene(pile, {"method.shape=gimp", "method.preset=accurate"}).method;
+  EXPECT_EQ(changed.shape, ShapeFunctions::gimp) << "in whatever order they stand";
+  EXPECT_EQ(changed.transfer, VelocityTransfer::apic);
+}
+
 TEST(SceneFile, ReadsEveryOption) {
   const Scene scene = read_scene(write_file(fresh_directory() / "full.toml", full_3d));
   EXPECT_EQ(scene.title, "A \"block\"\t\\ on a slope");

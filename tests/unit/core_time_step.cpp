@@ -1,0 +1,118 @@
+// The bounds behind the step, and the inertia next to a mirror that one of them needs.
+#include "core/gather_pass.hpp"
+#include "core/gimp_shape.hpp"
+#include "core/lattice.hpp"
+#include "core/linear_shape.hpp"
+#include "core/node_pass.hpp"
+#include "core/scatter_pass.hpp"
+#include "core/spline_shape.hpp"
+#include "core/time_step.hpp"
+#include "tests/support/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace scarp;
+using namespace scarp::test;
+
+namespace {
+
+/// sum_k w_k'^2 / w_k along an axis, 1/cell^2, in the middle of a grid.
+template <class Shape> double gradient_sum(double xi, double half_point) {
+  const GridIndex<2> grid(grid_2d(1.0, {0.0, 0.0}, {9.0, 9.0}), Shape::layout);
+  const StencilCell<2> cell(grid, grid.along(4 + 4 * grid.cell_stride[1]), half_point);
+  // A point in the middle along z, where the functions do not depend on x: their sum over z.
+  const Shape shape({xi, 0.5}, cell);
+  std::map<std::size_t, std::array<double, 2>> by_x; // place along x: sums of N and dN/dx
+  for (std::size_t c = 0; c < Shape::nodes; ++c) {
+    auto& [N, dN] = by_x[Shape::places(c)[0]];
+    N += shape.N[c];
+    dN += shape.dN[c][0];
+  }
+  double sum = 0.0;
+  for (const auto& [place, values] : by_x)
+    if (values[0] > 0.0) sum += values[1] * values[1] / values[0];
+  return sum;
+}
+
+template <class Shape> double largest_gradient_sum(double half_point) {
+  double most = 0.0;
+  for (int i = 1; i < 1000; ++i) most = std::max(most, gradient_sum<Shape>(1e-3 * i, half_point));
+  return most;
+}
+
+} // namespace
+
+/// A bound is one, and no larger than it has to be.
+TEST(TimeStep, GradientBoundsHoldEverywhereAndAreReached) {
+  EXPECT_LE(largest_gradient_sum<SplineShape<2>>(0.25), 6.0);
+  EXPECT_GT(largest_gradient_sum<SplineShape<2>>(0.25), 5.9);
+  for (const double l : {0.125, 0.25, 0.5}) {
+    const double bound = GimpShape<2>::gradient_bound(l);
+    EXPECT_LE(largest_gradient_sum<GimpShape<2>>(l), bound * (1.0 + 1e-12)) << l;
+    EXPECT_GT(largest_gradient_sum<GimpShape<2>>(l), 0.95 * bound) << l;
+  }
+  EXPECT_GT(largest_gradient_sum<LinearShape<2>>(0.25), 900.0) << "linear functions have none";
+}
+
+/// nu = 0: lambda = 0, so the volumetric modulus is 2 G = E.
+TEST(TimeStep, CriticalSpeedsByHand) {
+  const auto moduli = ElasticModuli::from(4e6, 0.0);
+  const double c = std::sqrt(4e6 / 1000.0);
+  EXPECT_NEAR((critical_speed<2, LinearShape<2>>(moduli, 1000.0, 0.25)), c, 1e-12 * c);
+  EXPECT_NEAR((critical_speed<2, SplineShape<2>>(moduli, 1000.0, 0.25)), c * std::sqrt(1.5),
+              1e-12 * c);
+  // nu = 1/3: lambda = 2 G = 3/4 E; plane strain 2 lambda + 2 G = 9/4 E, 3-D 3 E.
+  const auto third = ElasticModuli::from(4e6, 1.0 / 3.0);
+  EXPECT_NEAR((critical_speed<2, SplineShape<2>>(third, 1000.0, 0.25)), c * std::sqrt(1.5 * 2.25),
+              1e-9 * c);
+  EXPECT_NEAR((critical_speed<3, SplineShape<3>>(third, 1000.0, 0.25)), c * std::sqrt(1.5 * 3.0),
+              1e-9 * c);
+}
+
+/// dt = h / (c + s v), and sqrt(h / s b) if that is less.
+TEST(TimeStep, IsThatOfWavesMotionAndGravity) {
+  EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 0.0, 2.0), 0.05);
+  EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 1.0, 2.0), 0.05);
+  EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 1e4, 2.0), 0.005);
+}
+
+/// Points that fill a block of cells between fixed sides and move with v = a x (x from the side):
+/// the control points next to the side get the velocity of their place, a h/2, with and without
+/// the points' gradients.
+TEST(Mirror, UniformStrainIsKept) {
+  constexpr double h = 0.5, a = 3.0;
+  for (const bool affine : {false, true}) {
+    Scene scene;
+    scene.grid = grid_2d(h, {0.0, 0.0}, {4.0, 4.0});
+    scene.grid.points_per_cell = 8;
+    scene.grid.walls[0][0] = {WallKind::fixed};
+    scene.grid.walls[2][0] = {WallKind::free};
+    scene.materials = {elastic("rock", 1000.0, 1e6, 0.0)};
+    scene.regions = {box("rock", "rock", {0.0, 0.0}, {4.0, 4.0})};
+    State<2, SplineShape<2>> state(scene.grid, fill_regions<2>(scene));
+    const Walls<2> walls(scene, state.grid);
+    Particles<2>& points = state.particles;
+    if (affine)
+      for (Column& column : points.C) column.assign(points.size(), 0.0);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      points.v[0][p] = a * points.x[0][p];
+      if (affine) points.C[0][p] = a;
+    }
+    state.order.update(points);
+    scatter_pass<2, Terms::mass_momentum>(state);
+    gather_momentum_pass(state, walls);
+    // Node (1, 4), and the held one beside it.
+    const int next = 1 + 4 * state.grid.node_stride[1];
+    // 8 points a cell integrate the quadratic functions to 1/(24 64).
+    EXPECT_NEAR(state.nodal.nodes[static_cast<std::size_t>(next)].v[0], a * h / 2.0, 5e-3 * a * h)
+        << affine;
+    EXPECT_EQ(state.nodal.nodes[static_cast<std::size_t>(next - 1)].v[0], 0.0);
+    // Away from the side nothing changes: node (3, 4) lies at 2.5 h.
+    EXPECT_NEAR(state.nodal.nodes[static_cast<std::size_t>(next + 2)].v[0], 2.5 * a * h,
+                5e-3 * a * h);
+  }
+}
