@@ -39,11 +39,7 @@ Scene column(double aspect, int cells) {
                           {planes(length * (2.5 + 2.5 * aspect)), planes(1.1 * height) + 2.0 * h});
   scene.grid.walls[0][0].kind = WallKind::symmetry;
   scene.grid.walls[2][0].kind = WallKind::fixed;
-  DruckerPrager law;
-  law.friction_angle = 30.0;
-  law.cone = Cone::plane_strain;
-  law.opening = Opening::remembered;
-  scene.materials = {{"grains", 2650.0, 1e6, 0.3, law}};
+  scene.materials = {grains()};
   scene.gravity = {0.0, 0.0, -g};
   scene.method.shape = ShapeFunctions::bspline;
   scene.method.flip = 0.999;

@@ -76,11 +76,7 @@ double spread_width(int cells, double shift) {
   Scene scene;
   scene.grid = plane_grid(h, {-0.5, 0.0}, {0.5, 0.15});
   scene.grid.walls[2][0].kind = WallKind::fixed;
-  DruckerPrager law;
-  law.friction_angle = 30.0;
-  law.cone = Cone::plane_strain;
-  law.opening = Opening::remembered;
-  scene.materials = {{"grains", 2650.0, 1e6, 0.3, law}};
+  scene.materials = {grains()};
   scene.method.shape = ShapeFunctions::bspline;
   scene.method.flip = 0.999;
   scene.regions = {box("column", "grains", {-0.1 + shift * h, 0.0}, {0.1 + shift * h, 0.1})};

@@ -21,6 +21,14 @@ Grid plane_grid(double cell_size, std::array<double, 2> lower, std::array<double
   return grid;
 }
 
+Material grains() {
+  DruckerPrager law;
+  law.friction_angle = 30.0;
+  law.cone = Cone::plane_strain;
+  law.opening = Opening::remembered;
+  return {"grains", 2650.0, 1e6, 0.3, law};
+}
+
 std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change) {
   const auto rest = make_simulation(scene);
   const std::size_t n = rest->points();

@@ -16,6 +16,9 @@ Region box(const std::string& name, const std::string& material, std::array<doub
 /// Plane strain with free sides, from (x0, z0) to (x1, z1), m.
 Grid plane_grid(double cell_size, std::array<double, 2> lower, std::array<double, 2> upper);
 
+/// "grains": cohesionless, friction angle of 30 degrees, plane-strain cone, gaps remembered.
+Material grains();
+
 /// At time 0, with what `change` makes of velocities, stresses and so on.
 std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change);
 
