@@ -25,7 +25,8 @@ template <int Dim, int corners> void CellOrder<Dim, corners>::update(Particles<D
   if (first || moved_ > part) reorder(particles);
   if (occupied_ != previous_) {
     find_places();
-    find_nodes();
+    find_parts();
+    find_node_runs();
   }
 }
 
@@ -135,12 +136,26 @@ void CellOrder<Dim, corners>::follow(const std::vector<Move>& moves) {
 }
 
 template <int Dim, int corners> void CellOrder<Dim, corners>::reorder(Particles<Dim>& particles) {
-  const auto permute = [this](auto& column) {
-    std::remove_reference_t<decltype(column)> sorted(column.size());
-    const auto n = static_cast<std::int64_t>(rows_.size());
+  // Most rows follow each other: pieces of them are copied at once.
+  struct Piece {
+    std::uint32_t from, to, count;
+  };
+  std::vector<Piece> pieces;
+  constexpr std::uint32_t most = 4096; // for the threads
+  for (std::uint32_t k = 0; k < rows_.size(); ++k) {
+    if (k == 0 || rows_[k] != rows_[k - 1] + 1 || pieces.back().count == most)
+      pieces.push_back({rows_[k], k, 0});
+    ++pieces.back().count;
+  }
+  const auto permute = [&](auto& column) {
+    auto& sorted = std::get<std::remove_cvref_t<decltype(column)>>(spare_);
+    sorted.resize(column.size());
+    const auto n = static_cast<std::int64_t>(pieces.size());
 #pragma omp parallel for schedule(static)
-    for (std::int64_t k = 0; k < n; ++k)
-      sorted[static_cast<std::size_t>(k)] = column[rows_[static_cast<std::size_t>(k)]];
+    for (std::int64_t k = 0; k < n; ++k) {
+      const auto [from, to, count] = pieces[static_cast<std::size_t>(k)];
+      for (std::uint32_t i = 0; i < count; ++i) sorted[to + i] = column[from + i];
+    }
     column.swap(sorted);
   };
   particles.for_each_column(permute);
@@ -150,44 +165,75 @@ template <int Dim, int corners> void CellOrder<Dim, corners>::reorder(Particles<
 }
 
 template <int Dim, int corners> void CellOrder<Dim, corners>::find_places() {
-  places_.resize(occupied_.size());
-  const auto n = static_cast<std::int64_t>(occupied_.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t k = 0; k < n; ++k) {
-    const auto slot = static_cast<std::size_t>(k);
-    places_[slot] = {grid_->first_node(occupied_[slot]), grid_->along(occupied_[slot])};
+  const std::size_t cells = occupied_.size();
+  const auto width = static_cast<std::uint32_t>(grid_->width);
+  places_.resize(cells + 1);
+  std::uint32_t entry = 0;
+  std::array<int, Dim> along = {};
+  int row = 0; // the first cell of the present one
+  for (std::size_t slot = 0; slot < cells; ++slot) {
+    if (occupied_[slot] >= row + grid_->cells[0] || slot == 0) {
+      along = grid_->along(occupied_[slot]);
+      row = occupied_[slot] - along[0];
+    }
+    along[0] = occupied_[slot] - row;
+    const bool goes_on =
+        slot % block_cells != 0 && occupied_[slot - 1] + 1 == occupied_[slot] && along[0] > 0;
+    entry = slot == 0 ? 0 : entry + (goes_on ? 1 : width);
+    places_[slot] = {grid_->first_node(along), entry, along};
+  }
+  places_[cells] = {0, entry + width, {}};
+}
+
+/// The lines of all strips, in the order of their first nodes.
+template <int Dim, int corners> void CellOrder<Dim, corners>::find_parts() {
+  const auto width = static_cast<std::uint32_t>(grid_->width);
+  std::vector<Part> strips;
+  for (std::size_t slot = 0; slot < cells(); ++slot) {
+    if (slot == 0 || !strip_goes_on(slot - 1))
+      strips.push_back({places_[slot].first_node, places_[slot].entry, 0, width});
+    else
+      ++strips.back().count;
+  }
+  // Line by line they are in order already.
+  parts_.clear();
+  for (std::uint32_t line = 0; line * width < corners; ++line) {
+    const auto before = static_cast<std::ptrdiff_t>(parts_.size());
+    for (Part part : strips) {
+      part.line = line;
+      part.node += grid_->corner_offset[line * width];
+      parts_.push_back(part);
+    }
+    std::ranges::inplace_merge(parts_, parts_.begin() + before, {}, &Part::node);
   }
 }
 
-/// A cell is known by its lowest node here: the cell of which node n is corner c has the lowest
-/// node n - corner_offset[c], and where there is no such cell, no cell ever has that one.
-template <int Dim, int corners> void CellOrder<Dim, corners>::find_nodes() {
-  const int padding = grid_->reach();
-  std::fill(slot_.begin(), slot_.end(), -1);
-  for (std::size_t s = 0; s < occupied_.size(); ++s)
-    slot_[static_cast<std::size_t>(places_[s].first_node + padding)] = static_cast<int>(s);
-
-  // In blocks of nodes, each on one thread, then one after the other.
-  constexpr std::int64_t block = 4096;
-  const std::int64_t begin = places_.front().first_node;
-  const std::int64_t end = places_.back().first_node + padding + 1;
-  const std::int64_t blocks = (end - begin + block - 1) / block;
-  std::vector<std::vector<Node>> found(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(static)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    const std::int64_t last = std::min(end, begin + (b + 1) * block);
-    for (std::int64_t index = begin + b * block; index < last; ++index) {
-      Node node{static_cast<int>(index), {}};
-      int none = -1; // stays negative as long as all slots are
-      for (std::size_t c = 0; c < corners; ++c) {
-        node.slot[c] = slot_[static_cast<std::size_t>(index - grid_->corner_offset[c] + padding)];
-        none &= node.slot[c];
+/// Unites the parts that overlap or touch, and cuts the whole into runs.
+template <int Dim, int corners> void CellOrder<Dim, corners>::find_node_runs() {
+  const std::vector<Part> whole = std::move(parts_);
+  parts_.clear();
+  runs_.clear();
+  const auto end_of = [](const Part& part) { return part.node + static_cast<int>(part.count); };
+  for (std::size_t k = 0; k < whole.size();) {
+    const std::size_t first = k;
+    int end = end_of(whole[k]);
+    for (++k; k < whole.size() && whole[k].node <= end; ++k) end = std::max(end, end_of(whole[k]));
+    std::size_t reaches = first; // the first part that reaches the present run
+    for (int node = whole[first].node; node < end; node += static_cast<int>(NodeRun::most)) {
+      const int last = std::min(end, node + static_cast<int>(NodeRun::most));
+      NodeRun run = {node, static_cast<std::size_t>(last - node), parts_.size(), 0};
+      while (reaches < k && end_of(whole[reaches]) <= node) ++reaches;
+      for (std::size_t p = reaches; p < k && whole[p].node < last; ++p) {
+        const int from = std::max(node, whole[p].node);
+        const int to = std::min(last, end_of(whole[p]));
+        if (from < to)
+          parts_.push_back({from, whole[p].entry + static_cast<std::uint32_t>(from - whole[p].node),
+                            whole[p].line, static_cast<std::uint32_t>(to - from)});
       }
-      if (none >= 0) found[static_cast<std::size_t>(b)].push_back(node);
+      run.end_part = parts_.size();
+      runs_.push_back(run);
     }
   }
-  nodes_.clear();
-  for (const std::vector<Node>& part : found) nodes_.insert(nodes_.end(), part.begin(), part.end());
 }
 
 template class CellOrder<2, 4>;

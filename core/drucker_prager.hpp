@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace scarp {
 
@@ -46,8 +47,26 @@ struct ElasticModuli {
   Real p_wave() const { return bulk + 4.0 / 3.0 * shear; }
 };
 
+/// Whether a condition holds for all the points that it is asked of.
+inline bool everywhere(bool condition) { return condition; }
+template <class Mask>
+requires(!std::is_same_v<Mask, bool>)
+    [[gnu::always_inline]] inline bool everywhere(const Mask& condition) {
+  return all_of(condition);
+}
+
+/// `yes` where the condition holds, else `no`.
+inline Real choose(bool condition, Real yes, Real no) { return condition ? yes : no; }
+template <class Mask, class T>
+requires(!std::is_same_v<Mask, bool>) [[gnu::always_inline]] inline T
+    choose(const Mask& condition, const T& yes, T no) {
+  where(condition, no) = yes;
+  return no;
+}
+
 /// What one stress update did irreversibly.  T is Real, or a SIMD value that holds several points.
 template <class T = Real> struct PlasticStep {
+  bool happened = false; ///< to any of the points; else everything below is 0
   /// -, increment of the equivalent plastic strain sqrt(2/3 de:de), deviatoric
   T strain = 0.0;
   T dissipation = 0.0; ///< J/m3
@@ -99,8 +118,9 @@ struct DruckerPragerUpdate {
 
   /// Takes the elastic trial stress to the admissible one.  The two surfaces are returned to with
   /// two multipliers (Koiter): the cone alone, the cut-off alone, or their common edge.
-  /// Free of branches, so that it works on SIMD values as well: a multiplier that would be negative
-  /// is zero, and what lies inside both surfaces stays as it is.
+  /// Free of branches but one, so that it works on SIMD values as well: a multiplier that would be
+  /// negative is zero, and what lies inside both surfaces stays as it is, to the bit.  Where all
+  /// points do, as most of a slope does most of the time, the return is skipped.
   /// `gap` is that before the step and is brought up to date; `room` is its upper bound.
   template <int Dim, class T>
   [[gnu::always_inline]] PlasticStep<T> operator()(SymTensor<Dim, T>& stress, T& gap,
@@ -111,23 +131,27 @@ struct DruckerPragerUpdate {
     for (std::size_t i = 0; i < 3; ++i) s[i] -= mean_trial;
     T J2 = 0.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
     for (std::size_t i = 3; i < s.size(); ++i) J2 += s[i] * s[i];
-    const T tau_trial = sqrt(J2);
+    const T strength = k_phi - q_phi * mean_trial;
+    const auto inside =
+        mean_trial <= sigma_t && strength >= 0.0 && J2 <= strength * strength && gap == 0.0;
+    if (everywhere(inside)) return {};
 
+    const T tau_trial = sqrt(J2);
     const T mean_open = mean_trial + moduli.bulk * gap;
-    const T f = tau_trial + q_phi * mean_trial - k_phi;
-    const T multiplier = max(f, T(0.0)) * inv_hardness;
+    const T multiplier = max(tau_trial - strength, T(0.0)) * inv_hardness;
     const T mean_cone = mean_open - moduli.bulk * q_psi * multiplier;
     const T mean = min(mean_cone, T(sigma_t));
-    gap = min((mean_cone - mean) * inv_bulk, room);
+    const T opening = (mean_cone - mean) * inv_bulk;
+    gap = min(opening, room);
     const T tau = max(min(tau_trial, k_phi - q_phi * mean), T(0.0));
     const T scale = tau / max(tau_trial, T(std::numeric_limits<Real>::min())); // 0/0 is 0: s is 0
-    for (std::size_t i = 0; i < 3; ++i) stress[i] = mean + scale * s[i];
-    for (std::size_t i = 3; i < s.size(); ++i) stress[i] = scale * s[i];
+    for (std::size_t i = 0; i < 3; ++i) stress[i] = choose(inside, stress[i], mean + scale * s[i]);
+    for (std::size_t i = 3; i < s.size(); ++i) stress[i] = choose(inside, stress[i], scale * s[i]);
 
     // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
     const T slip = (tau_trial - tau) * inv_shear;
-    return {slip * inv_sqrt3, tau * slip + mean * ((mean_open - mean) * inv_bulk - gap),
-            (mean_cone - mean) * inv_bulk - gap};
+    return {true, slip * inv_sqrt3, tau * slip + mean * ((mean_open - mean) * inv_bulk - gap),
+            opening - gap};
   }
 
   /// The same with Opening::forgotten.

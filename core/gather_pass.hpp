@@ -17,6 +17,8 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
     if (state.particles.affine()) return reference::gather_pass<Dim, remap>(state, flip, dt);
     using AtNodes = NodeLanes<Shape::nodes>;
     Particles<Dim>& points = state.particles;
+    const Nodes<Dim>& nodes = state.nodal.nodes;
+    const Corners<Dim, Shape> corners(state);
     Real fastest2 = 0.0;
     std::uint32_t outside = no_point;
     const std::int64_t blocks = block_count(state);
@@ -41,16 +43,14 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
           const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
           const StencilCell<Dim> cell = stencil_cell(state, slot);
-          const auto nodes = nodes_of_cell(state, slot);
+          const int node = state.order.place(slot).first_node;
           for (std::size_t k = begin; k < end; k += RealPack::size()) {
             std::array<RealPack, Dim> place;
             for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
             const auto w = Shape::along(place, cell).w;
             for (std::size_t i = 0; i < Dim; ++i) {
-              store_lanes(interpolate(w, [&](std::size_t c) { return nodes[c]->v[i]; }),
-                          v_grid[i] + k);
-              store_lanes(interpolate(w, [&](std::size_t c) { return nodes[c]->dv[i]; }),
-                          dv_grid[i] + k);
+              store_lanes(interpolate(w, corners.of(nodes.v[i], node)), v_grid[i] + k);
+              store_lanes(interpolate(w, corners.of(nodes.dv[i], node)), dv_grid[i] + k);
             }
           }
           begin = end;
@@ -86,6 +86,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         }
 
         if constexpr (remap) {
+          std::array<StripSum<Dim, Shape>, Dim> mv_strip;
           std::size_t k = 0;
           for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
             const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
@@ -97,7 +98,10 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
               const AtNodes N = functions(place).N;
               for (std::size_t i = 0; i < Dim; ++i) mv[i] += N * m_v[i][k];
             }
-            for (std::size_t i = 0; i < Dim; ++i) mv[i].store(state.nodal.tiles[slot].mv[i]);
+            const std::size_t entry = state.order.place(slot).entry;
+            const bool last = !state.order.strip_goes_on(slot);
+            for (std::size_t i = 0; i < Dim; ++i)
+              mv_strip[i].add(mv[i], state.nodal.sums.mv[i], entry, last);
           }
         }
       }

@@ -111,8 +111,8 @@ template <int Dim> struct GridIndex {
   }
 
   /// Lowest node of a cell.
-  int first_node(int cell) const {
-    const std::array<int, Dim> steps = along(cell);
+  int first_node(int cell) const { return first_node(along(cell)); }
+  int first_node(const std::array<int, Dim>& steps) const {
     int node = 0;
     for (std::size_t i = 0; i < Dim; ++i) node += steps[i] * node_stride[i];
     return node;

@@ -14,25 +14,27 @@ namespace scarp {
 /// Several points in the lanes of one register.
 using RealPack = std::experimental::native_simd<Real>;
 
-/// Up to RealPack::size() rows of Particles, one a lane.  Rows that follow each other, as nearly
-/// all do since the columns are kept nearly in order, are read and written at once.
+/// Up to RealPack::size() rows of Particles, one a lane.  Nearly all rows follow each other, since
+/// the columns are kept nearly in order: what follows each other is read and written at once.
 class RowPack {
  public:
   static constexpr std::size_t capacity = RealPack::size();
 
   [[gnu::always_inline]] RowPack(const std::uint32_t* rows, std::size_t count)
-      : rows_(rows), count_(count) {
+      : first_(rows[0]), count_(count) {
     using Rows =
         std::experimental::simd<std::uint32_t,
                                 std::experimental::simd_abi::deduce_t<std::uint32_t, capacity>>;
-    if (count < capacity) return;
     static constexpr auto steps = [] {
       std::array<std::uint32_t, capacity> all = {};
       for (std::uint32_t k = 0; k < capacity; ++k) all[k] = k;
       return all;
     }();
-    const Rows next = Rows(steps.data(), std::experimental::element_aligned) + rows[0];
-    together_ = all_of(Rows(rows, std::experimental::element_aligned) == next);
+    if (count == capacity) {
+      const Rows next = Rows(steps.data(), std::experimental::element_aligned) + rows[0];
+      together_ = all_of(Rows(rows, std::experimental::element_aligned) == next);
+    }
+    if (!together_) find_pieces(rows);
   }
 
   std::size_t size() const { return count_; }
@@ -41,27 +43,45 @@ class RowPack {
   [[gnu::always_inline]] RealPack load(const Column& column) const {
     if (together_) {
       // The processor does not follow as many columns as a pass reads.
-      __builtin_prefetch(column.data() + rows_[0] + ahead);
-      return RealPack(&column[rows_[0]], std::experimental::element_aligned);
+      __builtin_prefetch(column.data() + first_ + ahead);
+      return RealPack(column.data() + first_, std::experimental::element_aligned);
     }
-    std::array<Real, capacity> values = {};
-    for (std::size_t k = 0; k < count_; ++k) values[k] = column[rows_[k]];
-    return RealPack(values.data(), std::experimental::element_aligned);
+    RealPack values = 0.0;
+    for (std::size_t k = 0; k < pieces_; ++k)
+      where(lanes_[k], values)
+          .copy_from(column.data() + shift_[k], std::experimental::element_aligned);
+    return values;
   }
 
   [[gnu::always_inline]] void store(const RealPack& values, Column& column) const {
-    if (together_) return values.copy_to(&column[rows_[0]], std::experimental::element_aligned);
-    std::array<Real, capacity> lanes;
-    values.copy_to(lanes.data(), std::experimental::element_aligned);
-    for (std::size_t k = 0; k < count_; ++k) column[rows_[k]] = lanes[k];
+    if (together_)
+      return values.copy_to(column.data() + first_, std::experimental::element_aligned);
+    for (std::size_t k = 0; k < pieces_; ++k)
+      where(lanes_[k], values)
+          .copy_to(column.data() + shift_[k], std::experimental::element_aligned);
   }
 
  private:
   static constexpr std::size_t ahead = 256; ///< rows between reading a column and asking for more
 
-  const std::uint32_t* rows_;
-  std::size_t count_;
+  [[gnu::noinline]] void find_pieces(const std::uint32_t* rows) {
+    const RealPack lane([](auto k) { return static_cast<Real>(k); });
+    for (std::size_t begin = 0; begin < count_;) {
+      std::size_t end = begin + 1;
+      while (end < count_ && rows[end] == rows[end - 1] + 1) ++end;
+      shift_[pieces_] =
+          static_cast<std::ptrdiff_t>(rows[begin]) - static_cast<std::ptrdiff_t>(begin);
+      lanes_[pieces_++] = lane >= static_cast<Real>(begin) && lane < static_cast<Real>(end);
+      begin = end;
+    }
+  }
+
+  std::size_t first_, count_;
   bool together_ = false;
+  // If not together: the row in lane k is k + shift_, piece by piece.
+  std::size_t pieces_ = 0;
+  std::array<std::ptrdiff_t, capacity> shift_;
+  std::array<RealPack::mask_type, capacity> lanes_;
 };
 
 /// n lines of numbers, each with one for every row of a block of cells and room for a whole pack
@@ -113,13 +133,12 @@ template <int nodes> struct NodeLanes {
     unrolled<packs>([&](auto k) { pack[k] = Pack(&table[k * width], plain); });
   }
 
-  [[gnu::always_inline]] void store(std::array<Real, nodes>& values) const {
-    unrolled<packs>([&](auto k) {
-      if constexpr ((k + 1) * width <= nodes)
-        pack[k].copy_to(&values[k * width], plain);
-      else
-        for (std::size_t c = k * width; c < nodes; ++c) values[c] = pack[k][c - k * width];
-    });
+  [[gnu::always_inline]] std::array<Real, nodes> values() const {
+    std::array<Real, packs * width> all;
+    unrolled<packs>([&](auto k) { pack[k].copy_to(&all[k * width], plain); });
+    std::array<Real, nodes> some;
+    std::copy_n(all.begin(), some.size(), some.begin());
+    return some;
   }
 
   [[gnu::always_inline]] NodeLanes& operator+=(const NodeLanes& b) {

@@ -43,9 +43,10 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
     static constexpr std::array<std::array<typename AtNodes::Table, Dim>, 2> tables = [] {
       std::array<std::array<typename AtNodes::Table, Dim>, 2> both = {};
       for (std::size_t a = 0; a < Dim; ++a)
-        for (std::size_t c = 0; c < Stencil<Dim, 2>::nodes; ++c) {
-          both[0][a][c] = c >> a & 1U ? 0.0 : 1.0;
-          both[1][a][c] = c >> a & 1U ? 1.0 : -1.0;
+        for (std::size_t lane = 0; lane < Stencil<Dim, 2>::nodes; ++lane) {
+          const std::size_t c = node_in_lane(lane, Stencil<Dim, 2>::nodes, 2);
+          both[0][a][lane] = c >> a & 1U ? 0.0 : 1.0;
+          both[1][a][lane] = c >> a & 1U ? 1.0 : -1.0;
         }
       return both;
     }();

@@ -1,4 +1,4 @@
-// What happens on the nodes: gather the cells' tiles, advance the momentum, apply the walls.
+// What happens on the nodes: add up the strips' sums, advance the momentum, apply the walls.
 #pragma once
 
 #include "core/state.hpp"
@@ -10,61 +10,122 @@
 
 namespace scarp {
 
-/// 1/kg, of a control point next to a mirror (Walls::Mirror), by component.  With the image of odd
-/// velocity, N_I v - N_image v, the lumped kinetic energy is (m_I + m_image) v^2 / 2; in the open
-/// knot vector's functions that is the mass of the point and of the held one beside it.  Without it
-/// the velocity of a uniform strain comes out half as large again next to the wall, and N falls to
-/// 0 there while its gradient does not: no step would be short enough.
+/// One number for each node of a run.
+using RunValues = std::array<Real, CellOrder<2>::NodeRun::most>;
+
+/// Adds up the lines of the strips that reach the nodes of a run.
 template <int Dim, class Shape>
-Vec<Dim> mirrored_inverse_mass(const State<Dim, Shape>& state, const auto& at,
-                               const typename Walls<Dim>::Mirror& mirror) {
-  Vec<Dim> mass = {};
-  for (std::size_t c = 0; c < at.slot.size(); ++c) {
-    if (at.slot[c] < 0) continue;
-    const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
-    const auto own = Shape::places(c);
-    for (std::size_t d = 0; d < at.slot.size(); ++d) {
-      const auto other = Shape::places(d);
-      for (std::size_t i = 0; i < Dim; ++i) {
-        bool moves = true;
-        for (std::size_t a = 0; a < Dim; ++a)
-          moves = moves &&
-                  (other[a] == own[a] || (other[a] + 1 == own[a] && (mirror.lower[a] >> i & 1U)) ||
-                   (other[a] == own[a] + 1 && (mirror.upper[a] >> i & 1U)));
-        if (moves) mass[i] += tile.m[d];
-      }
-    }
+[[gnu::always_inline]] inline void add_up(const State<Dim, Shape>& state, const auto& run,
+                                          const typename StripSums<Dim, Shape>::Lines& lines,
+                                          RunValues& sum) {
+  for (std::size_t k = run.first_part; k < run.end_part; ++k) {
+    const auto& part = state.order.part(k);
+    const Real* from = &lines[part.line][part.entry];
+    Real* to = &sum[static_cast<std::size_t>(part.node - run.node)];
+    for (std::size_t n = 0; n < part.count; ++n) to[n] += from[n];
   }
-  for (Real& m : mass) m = m > 0.0 ? 1.0 / m : 0.0;
-  return mass;
 }
 
-/// m_I and (m v)_I from the tiles, v_I = (m v)_I / m_I under the constraints (kept in v).
+/// Applies to the velocities of a run's nodes what acts on each alone.
+template <int Dim, class Apply>
+void change_velocities(Nodes<Dim>& nodes, const auto& run, Apply&& apply) {
+  for (std::size_t k = 0; k < run.count; ++k) {
+    const int index = run.node + static_cast<int>(k);
+    Vec<Dim> v;
+    for (std::size_t i = 0; i < Dim; ++i) v[i] = nodes.v[i][static_cast<std::size_t>(index)];
+    apply(index, v);
+    for (std::size_t i = 0; i < Dim; ++i) nodes.v[i][static_cast<std::size_t>(index)] = v[i];
+  }
+}
+
+/// Takes constrained components away, and what friction sides do not let through: as in every
+/// mapping, since position and strain see one velocity.
+template <int Dim> void constrain(Nodes<Dim>& nodes, const Walls<Dim>& walls, const auto& run) {
+  if (!walls.touch(run.node, run.count)) return;
+  change_velocities(nodes, run, [&](int index, Vec<Dim>& v) {
+    walls.constrain(index, v);
+    walls.hold_back(index, v);
+  });
+}
+
+/// (m v)_I from the strips' sums, v_I = (m v)_I / m_I.
+template <int Dim, class Shape>
+void find_velocities(State<Dim, Shape>& state, const auto& run, std::size_t first) {
+  Nodes<Dim>& nodes = state.nodal.nodes;
+  for (std::size_t i = 0; i < Dim; ++i) {
+    RunValues mv = {};
+    add_up(state, run, state.nodal.sums.mv[i], mv);
+    const Real* inv_m = &nodes.inv_m[i][first];
+    Real* v = &nodes.v[i][first];
+    for (std::size_t k = 0; k < run.count; ++k) v[k] = mv[k] * inv_m[k];
+  }
+}
+
+/// Control points next to a mirror (Walls::Mirror).  With the image of odd velocity, N_I v -
+/// N_image v, the lumped kinetic energy is (m_I + m_image) v^2 / 2; in the open knot vector's
+/// functions that is the mass of the point and of the held one beside it.  Without it the velocity
+/// of a uniform strain comes out half as large again next to the wall, and N falls to 0 there while
+/// its gradient does not: no step would be short enough.
+template <int Dim, class Shape>
+void mirror_inertia(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& run) {
+  Nodes<Dim>& nodes = state.nodal.nodes;
+  for (std::size_t k = 0; k < run.count; ++k) {
+    const int index = run.node + static_cast<int>(k);
+    const auto* mirror = walls.mirror(index);
+    if (!mirror) continue;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      // Over this node and its images: one more along each axis with a mirror for component i.
+      Real mass = 0.0;
+      for (int images = 0; images < power(3, Dim); ++images) {
+        int node = index;
+        bool moves = true;
+        for (std::size_t a = 0, rest = static_cast<std::size_t>(images); a < Dim; ++a, rest /= 3) {
+          if (rest % 3 == 1) {
+            node -= state.grid.node_stride[a];
+            moves = moves && (mirror->lower[a] >> i & 1U);
+          } else if (rest % 3 == 2) {
+            node += state.grid.node_stride[a];
+            moves = moves && (mirror->upper[a] >> i & 1U);
+          }
+        }
+        if (moves) mass += nodes.m[static_cast<std::size_t>(node)];
+      }
+      nodes.inv_m[i][static_cast<std::size_t>(index)] = mass > 0.0 ? 1.0 / mass : 0.0;
+    }
+  }
+}
+
+/// m_I and (m v)_I, and v_I under the constraints.
 template <int Dim, class Shape>
 void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  for_each_node(state, [&](const auto& at) {
-    NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
-    node.m = 0.0;
-    Real V0 = 0.0;
-    node.mv = {};
-    for (std::size_t c = 0; c < at.slot.size(); ++c) {
-      if (at.slot[c] < 0) continue;
-      const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
-      node.m += tile.m[c];
-      V0 += tile.V0[c];
-      for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[i][c];
+  Nodes<Dim>& nodes = state.nodal.nodes;
+  if (walls.have_mirrors()) std::ranges::fill(nodes.m, 0.0); // inactive ones are asked for as well
+  for_each_node_run(state, [&](const auto& run, std::size_t) {
+    const auto first = static_cast<std::size_t>(run.node);
+    RunValues m = {};
+    add_up(state, run, state.nodal.sums.m, m);
+    for (std::size_t k = 0; k < run.count; ++k) {
+      nodes.m[first + k] = m[k];
+      const Real inverse = 1.0 / m[k];
+      for (std::size_t i = 0; i < Dim; ++i) nodes.inv_m[i][first + k] = m[k] > 0.0 ? inverse : 0.0;
     }
     if (state.nodal.tracks_fraction) {
-      const Real volume = state.nodal.volume[static_cast<std::size_t>(at.index)];
-      node.fraction = volume > 0.0 && V0 > 0.0 ? V0 / volume : 1.0; // nodes beyond the grid: full
+      RunValues V0 = {};
+      add_up(state, run, state.nodal.sums.V0, V0);
+      for (std::size_t k = 0; k < run.count; ++k) {
+        const Real volume = state.nodal.volume[first + k]; // 0: beyond the grid; such are full
+        nodes.fraction[first + k] = volume > 0.0 && V0[k] > 0.0 ? V0[k] / volume : 1.0;
+      }
     }
-    node.inv_m.fill(node.m > 0.0 ? 1.0 / node.m : 0.0);
-    if constexpr (Shape::layout == NodeLayout::spline)
-      if (const auto* mirror = walls.mirror(at.index))
-        node.inv_m = mirrored_inverse_mass(state, at, *mirror);
-    for (std::size_t i = 0; i < Dim; ++i) node.v[i] = node.mv[i] * node.inv_m[i];
-    walls.constrain(at.index, node.v);
-    walls.hold_back(at.index, node.v); // as the remap does: position and strain see one velocity
+    if (walls.have_mirrors()) return; // their masses need those of the nodes beside them
+    find_velocities(state, run, first);
+    constrain(nodes, walls, run);
+  });
+  if (!walls.have_mirrors()) return;
+  for_each_node_run(state, [&](const auto& run, std::size_t) {
+    mirror_inertia(state, walls, run);
+    find_velocities(state, run, static_cast<std::size_t>(run.node));
+    constrain(nodes, walls, run);
   });
 }
 
@@ -86,48 +147,65 @@ template <int Dim> Real taken_work(const Vec<Dim>& before, const Vec<Dim>& after
 template <int Dim, class Shape>
 void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
                            const std::type_identity_t<Vec<Dim>>& gravity, Real damping, Real dt) {
-  for_each_node(state, [&](const auto& at) {
-    NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
-    for (std::size_t i = 0; i < Dim; ++i) node.f[i] = node.m * gravity[i];
-    for (std::size_t c = 0; c < at.slot.size(); ++c) {
-      if (at.slot[c] < 0) continue;
-      const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
-      for (std::size_t i = 0; i < Dim; ++i) node.f[i] += tile.f[i][c];
+  Nodes<Dim>& nodes = state.nodal.nodes;
+  state.nodal.damped.assign(state.order.node_runs().size(), 0.0);
+  state.nodal.rubbed.assign(state.order.node_runs().size(), 0.0);
+  for_each_node_run(state, [&](const auto& run, std::size_t number) {
+    const auto first = static_cast<std::size_t>(run.node);
+    std::array<RunValues, Dim> before, drag = {};
+    for (std::size_t i = 0; i < Dim; ++i) {
+      RunValues force = {};
+      add_up(state, run, state.nodal.sums.f[i], force);
+      const Real* m = &nodes.m[first];
+      const Real* inv_m = &nodes.inv_m[i][first];
+      Real* f = &nodes.f[i][first];
+      Real* v = &nodes.v[i][first];
+      for (std::size_t k = 0; k < run.count; ++k) {
+        f[k] = force[k] + m[k] * gravity[i];
+        before[i][k] = v[k];
+      }
+      if (damping > 0.0)
+        for (std::size_t k = 0; k < run.count; ++k)
+          drag[i][k] = v[k] != 0.0 ? -damping * std::copysign(f[k], v[k]) : 0.0;
+      for (std::size_t k = 0; k < run.count; ++k) v[k] += dt * inv_m[k] * (f[k] + drag[i][k]);
     }
-    const Vec<Dim> before = node.v;
-    Vec<Dim> drag = {};
-    if (damping > 0.0)
-      for (std::size_t i = 0; i < Dim; ++i)
-        if (before[i] != 0.0) drag[i] = -damping * std::copysign(node.f[i], before[i]);
-    for (std::size_t i = 0; i < Dim; ++i) node.v[i] += dt * node.inv_m[i] * (node.f[i] + drag[i]);
-    walls.constrain(at.index, node.v);
-    node.rubbed = 0.0;
-    if (walls.have_friction()) {
-      Vec<Dim> free = node.v;
-      walls.hold_back(at.index, free);
-      walls.resist(at.index, node.v);
-      node.rubbed = taken_work<Dim>(before, node.v,
-                                    [&](std::size_t i) { return node.m * (free[i] - node.v[i]); });
+    const bool at_walls = walls.touch(run.node, run.count);
+    if (damping > 0.0 || at_walls) {
+      const auto at = [](const std::array<RunValues, Dim>& values, std::size_t k) {
+        Vec<Dim> value;
+        for (std::size_t i = 0; i < Dim; ++i) value[i] = values[i][k];
+        return value;
+      };
+      change_velocities(nodes, run, [&](int index, Vec<Dim>& v) {
+        const auto k = static_cast<std::size_t>(index - run.node);
+        walls.constrain(index, v);
+        if (walls.have_friction()) {
+          Vec<Dim> free = v;
+          walls.hold_back(index, free);
+          walls.resist(index, v);
+          state.nodal.rubbed[number] += taken_work<Dim>(at(before, k), v, [&](std::size_t i) {
+            return nodes.m[first + k] * (free[i] - v[i]);
+          });
+        }
+        if (damping > 0.0)
+          state.nodal.damped[number] +=
+              taken_work<Dim>(at(before, k), v, [&](std::size_t i) { return -dt * drag[i][k]; });
+      });
     }
-    node.damped = taken_work<Dim>(before, node.v, [&](std::size_t i) { return -dt * drag[i]; });
-    for (std::size_t i = 0; i < Dim; ++i) node.dv[i] = node.v[i] - before[i];
+    for (std::size_t i = 0; i < Dim; ++i) {
+      const Real* v = &nodes.v[i][first];
+      Real* dv = &nodes.dv[i][first];
+      for (std::size_t k = 0; k < run.count; ++k) dv[k] = v[k] - before[i][k];
+    }
   });
 }
 
 /// MUSL: v_I from the points' updated momenta; masses and weights are those of the first mapping.
 template <int Dim, class Shape>
 void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  for_each_node(state, [&](const auto& at) {
-    NodeState<Dim>& node = state.nodal.nodes[static_cast<std::size_t>(at.index)];
-    node.mv = {};
-    for (std::size_t c = 0; c < at.slot.size(); ++c) {
-      if (at.slot[c] < 0) continue;
-      const auto& tile = state.nodal.tiles[static_cast<std::size_t>(at.slot[c])];
-      for (std::size_t i = 0; i < Dim; ++i) node.mv[i] += tile.mv[i][c];
-    }
-    for (std::size_t i = 0; i < Dim; ++i) node.v[i] = node.mv[i] * node.inv_m[i];
-    walls.constrain(at.index, node.v);
-    walls.hold_back(at.index, node.v);
+  for_each_node_run(state, [&](const auto& run, std::size_t) {
+    find_velocities(state, run, static_cast<std::size_t>(run.node));
+    constrain(state.nodal.nodes, walls, run);
   });
 }
 

@@ -1,48 +1,98 @@
 // State of the background grid's nodes and what the passes over cells leave for them.
 #pragma once
 
+#include "core/particles.hpp"
 #include "core/stencil.hpp"
-#include "core/types.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace scarp {
 
-/// What the points of one cell give its corners.  A node adds up the tiles of the cells around it
-/// in a fixed order, so no two threads ever write to the same place.
-template <int Dim, int corners> struct CellTile {
-  using AtNodes = std::array<Real, corners>;
-  AtNodes m;                   ///< kg
-  AtNodes V0;                  ///< m3, of the unloaded material; only if it is tracked
-  std::array<AtNodes, Dim> mv; ///< kg m/s
-  std::array<AtNodes, Dim> f;  ///< N, internal
+/// What the points of a block of cells give the nodes, added up along its strips (CellOrder): for
+/// each of the lines of nodes that a strip reaches, one number an entry, that is for every node
+/// along x.  The nodes add up the strips' lines in a fixed order, so no two threads ever write to
+/// the same place.
+template <int Dim, class Shape> struct StripSums {
+  static constexpr std::size_t lines = Shape::nodes / Shape::width;
+  using Lines = std::array<Column, lines>;
+
+  Lines m;                   ///< kg
+  Lines V0;                  ///< m3, of the unloaded material; only if it is tracked
+  std::array<Lines, Dim> mv; ///< kg m/s
+  std::array<Lines, Dim> f;  ///< N, internal
+
+  void resize(std::size_t entries, bool with_volume) {
+    const auto resize_lines = [entries](Lines& all) {
+      for (Column& line : all) line.resize(entries);
+    };
+    resize_lines(m);
+    if (with_volume) resize_lines(V0);
+    for (Lines& component : mv) resize_lines(component);
+    for (Lines& component : f) resize_lines(component);
+  }
 };
 
-template <int Dim> struct NodeState {
-  Real m;         ///< kg
-  Vec<Dim> inv_m; ///< 1/kg, of what moves with each component; 0 without mass
-  Real fraction;  ///< -, see GridState::tracks_fraction
-  Vec<Dim> mv;    ///< kg m/s
-  Vec<Dim> f;     ///< N
-  Vec<Dim> v;     ///< m/s, after the latest constraint
-  Vec<Dim> dv;    ///< m/s, change by the forces of this step
-  Real damped;    ///< J, taken by local damping in this step
-  Real rubbed;    ///< J, taken by friction on walls in this step
+/// One number for each node of a strip's cells, cell after cell.
+template <int Dim, class Shape> class StripSum {
+ public:
+  /// Adds a cell's; after its `last` cell the strip is complete.
+  [[gnu::always_inline]] void add(const NodeLanes<Shape::nodes>& cell,
+                                  typename StripSums<Dim, Shape>::Lines& to, std::size_t entry,
+                                  bool last) {
+    const std::array<Real, Shape::nodes> sums = cell.values();
+    for (std::size_t line = 0; line < lines; ++line) {
+      to[line][entry] = carry_[0][line] + sums[line];
+      for (std::size_t k = 1; k < columns; ++k)
+        carry_[k - 1][line] = carry_[k][line] + sums[k * lines + line];
+      carry_[columns - 1][line] = sums[columns * lines + line];
+      if (!last) continue;
+      for (std::size_t k = 0; k < columns; ++k) {
+        to[line][entry + 1 + k] = carry_[k][line];
+        carry_[k][line] = 0.0;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t lines = StripSums<Dim, Shape>::lines;
+  static constexpr std::size_t columns = Shape::width - 1; ///< that a cell shares with the next
+  std::array<std::array<Real, lines>, columns> carry_ = {};
+};
+
+/// By node index; only active nodes are meaningful.
+template <int Dim> struct Nodes {
+  Column m; ///< kg
+  /// 1/kg, of what moves with each component; 0 without mass
+  std::array<Column, Dim> inv_m;
+  std::array<Column, Dim> f;  ///< N, with gravity
+  std::array<Column, Dim> v;  ///< m/s, after the latest constraint
+  std::array<Column, Dim> dv; ///< m/s, change by the forces of this step
+  Column fraction;            ///< -, see GridState::tracks_fraction
 };
 
 template <int Dim, class Shape> struct GridState {
-  std::vector<CellTile<Dim, Shape::nodes>> tiles; ///< by occupied slot
-  std::vector<NodeState<Dim>> nodes; ///< by node index; only active nodes are meaningful
+  StripSums<Dim, Shape> sums;
+  Nodes<Dim> nodes;
+  /// J, taken in this step by local damping and by friction on walls; by run of nodes
+  Column damped, rubbed;
 
   /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
   bool tracks_fraction;
-  std::vector<Real> volume; ///< m3, by node: what belongs to it of the cells around it
+  Column volume; ///< m3, by node: what belongs to it of the cells around it
 
-  GridState(const GridIndex<Dim>& grid, bool with_fraction)
-      : nodes(static_cast<std::size_t>(grid.node_count)), tracks_fraction(with_fraction) {
+  GridState(const GridIndex<Dim>& grid, bool with_fraction) : tracks_fraction(with_fraction) {
+    const auto n = static_cast<std::size_t>(grid.node_count);
+    nodes.m.resize(n);
+    for (std::size_t i = 0; i < Dim; ++i) {
+      nodes.inv_m[i].resize(n);
+      nodes.f[i].resize(n);
+      nodes.v[i].resize(n);
+      nodes.dv[i].resize(n);
+    }
     if (!tracks_fraction) return;
-    volume.assign(nodes.size(), 0.0);
+    nodes.fraction.resize(n);
+    volume.assign(n, 0.0);
     for (int index = 0; index < grid.cell_count; ++index) {
       const StencilCell<Dim> cell(grid, grid.along(index), 0.0);
       for (std::size_t c = 0; c < Shape::nodes; ++c) {

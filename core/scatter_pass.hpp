@@ -30,7 +30,8 @@ void average_mean_stress(BlockLines<tensor_size<Dim>>& V_tau, const Real* V0, st
 /// sum_p V0_p p_p / sum_p V0_p; see core/stress_pass.hpp.
 ///
 /// First the products, with points in the lanes of registers; then each point in turn adds to all
-/// nodes of its cell, which are in the lanes.
+/// nodes of its cell, which are in the lanes.  What belongs to nodes of the next cell along x is
+/// carried over to it.
 template <int Dim, Terms terms, class Shape>
 void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_force = {}) {
   if constexpr (!has_lanes<Shape>) {
@@ -40,7 +41,8 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
     constexpr bool momentum = terms != Terms::force;
     constexpr bool force = terms != Terms::mass_momentum;
     using AtNodes = NodeLanes<Shape::nodes>;
-    state.nodal.tiles.resize(state.order.cells());
+    StripSums<Dim, Shape>& sums = state.nodal.sums;
+    sums.resize(state.order.entries(), state.nodal.tracks_fraction);
     const Particles<Dim>& points = state.particles;
     const bool tracks_fraction = state.nodal.tracks_fraction;
     const bool regions_differ = !own_force.empty();
@@ -74,6 +76,8 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
               store_lanes(V0 * rows.load(points.tau[i]), V_tau[i] + k);
         }
 
+        StripSum<Dim, Shape> m_strip, V0_strip;
+        std::array<StripSum<Dim, Shape>, Dim> mv_strip, f_strip;
         std::size_t k = 0;
         for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
           const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
@@ -101,14 +105,16 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
                   f[i] += at.N * (-cell.h * m_p[0][k] * own_force[points.region[block.rows[k]]][i]);
             }
           }
-          auto& tile = state.nodal.tiles[slot];
+          const std::size_t entry = state.order.place(slot).entry;
+          const bool last = !state.order.strip_goes_on(slot);
           if constexpr (momentum) {
-            m.store(tile.m);
-            if (tracks_fraction) V0.store(tile.V0);
-            for (std::size_t i = 0; i < Dim; ++i) mv[i].store(tile.mv[i]);
+            m_strip.add(m, sums.m, entry, last);
+            if (tracks_fraction) V0_strip.add(V0, sums.V0, entry, last);
+            for (std::size_t i = 0; i < Dim; ++i) mv_strip[i].add(mv[i], sums.mv[i], entry, last);
           }
           if constexpr (force)
-            for (std::size_t i = 0; i < Dim; ++i) (f[i] * -cell.inv_h).store(tile.f[i]);
+            for (std::size_t i = 0; i < Dim; ++i)
+              f_strip[i].add(f[i] * -cell.inv_h, sums.f[i], entry, last);
         }
       }
     }

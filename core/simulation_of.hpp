@@ -259,10 +259,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
 
   void add_up_losses() {
     if (damping() == 0.0 && !walls_.have_friction()) return;
-    for (const auto& at : state_.order.nodes()) {
-      damping_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].damped;
-      friction_work_ += state_.nodal.nodes[static_cast<std::size_t>(at.index)].rubbed;
-    }
+    for (const Real work : state_.nodal.damped) damping_work_ += work;
+    for (const Real work : state_.nodal.rubbed) friction_work_ += work;
   }
 
   void move_points() {
@@ -394,10 +392,10 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
     now.strain += points.V0[p] *
                   (mean * (0.5 * mean / moduli.bulk + points.gap[p]) + 0.25 * s2 / moduli.shear);
   }
-  for (const auto& at : state_.order.nodes()) {
-    const NodeState<Dim>& node = state_.nodal.nodes[static_cast<std::size_t>(at.index)];
-    for (const Real v : node.v) now.grid_kinetic += 0.5 * node.m * v * v;
-  }
+  const Nodes<Dim>& nodes = state_.nodal.nodes;
+  for (const auto& run : state_.order.node_runs())
+    for (std::size_t k = static_cast<std::size_t>(run.node), end = k + run.count; k < end; ++k)
+      for (const Column& v : nodes.v) now.grid_kinetic += 0.5 * nodes.m[k] * v[k] * v[k];
   now.damping = damping_work_;
   now.wall_friction = friction_work_;
   now.gravitational = loads_.potential(points);

@@ -84,10 +84,11 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
               {{1.0, -1.0, below, -below, 0.0},
                {0.0, 1.0, 2.0 * below, -below - above, 1.0 - below},
                {0.0, 1.0, 0.0, above, 0.0}}};
-          for (std::size_t node = 0; node < Stencil<Dim, 3>::nodes; ++node) {
+          for (std::size_t lane = 0; lane < Stencil<Dim, 3>::nodes; ++lane) {
+            const std::size_t node = node_in_lane(lane, Stencil<Dim, 3>::nodes, 3);
             const auto& [a, b, c, d, e] = of_place[Stencil<Dim, 3>::places(node)[axis]];
             const std::array<Real, 7> values = {a, b, c, d, e, b * c + a * d, 2.0 * b * d};
-            for (std::size_t k = 0; k < values.size(); ++k) all[axis][side][k][node] = values[k];
+            for (std::size_t k = 0; k < values.size(); ++k) all[axis][side][k][lane] = values[k];
           }
         }
       return all;

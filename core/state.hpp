@@ -43,7 +43,6 @@ void for_each_cell(const State<Dim, Shape>& state, Visit&& visit) {
 
 /// Occupied cells that a thread works on together, so that registers are full of their points.
 struct CellBlock {
-  static constexpr std::size_t cells = 32;
   std::size_t first_slot, end_slot;
   const std::uint32_t* rows; ///< of Particles
   std::size_t size;          ///< number of rows
@@ -54,13 +53,15 @@ struct CellBlock {
 };
 
 template <int Dim, class Shape> std::int64_t block_count(const State<Dim, Shape>& state) {
-  return static_cast<std::int64_t>((state.order.cells() + CellBlock::cells - 1) / CellBlock::cells);
+  constexpr std::size_t cells = CellOrder<Dim, Shape::nodes>::block_cells;
+  return static_cast<std::int64_t>((state.order.cells() + cells - 1) / cells);
 }
 
 template <int Dim, class Shape>
 CellBlock cell_block(const State<Dim, Shape>& state, std::int64_t index) {
-  const std::size_t first = static_cast<std::size_t>(index) * CellBlock::cells;
-  const std::size_t end = std::min(first + CellBlock::cells, state.order.cells());
+  constexpr std::size_t cells = CellOrder<Dim, Shape::nodes>::block_cells;
+  const std::size_t first = static_cast<std::size_t>(index) * cells;
+  const std::size_t end = std::min(first + cells, state.order.cells());
   const std::size_t begin = state.order.begin(first);
   return {first, end, state.order.rows() + begin, state.order.begin(end) - begin};
 }
@@ -77,12 +78,13 @@ local_position(const State<Dim, Shape>& state, const RowPack& rows) {
   return xi;
 }
 
-/// Calls visit(node) for every active CellOrder::Node, on all threads.
+/// Calls visit(run, its number) for every run of active nodes, on all threads.
 template <int Dim, class Shape, class Visit>
-void for_each_node(const State<Dim, Shape>& state, Visit&& visit) {
-  const auto n = static_cast<std::int64_t>(state.order.nodes().size());
+void for_each_node_run(const State<Dim, Shape>& state, Visit&& visit) {
+  const auto n = static_cast<std::int64_t>(state.order.node_runs().size());
 #pragma omp parallel for schedule(static)
-  for (std::int64_t k = 0; k < n; ++k) visit(state.order.nodes()[static_cast<std::size_t>(k)]);
+  for (std::int64_t k = 0; k < n; ++k)
+    visit(state.order.node_runs()[static_cast<std::size_t>(k)], static_cast<std::size_t>(k));
 }
 
 /// What the points of an occupied cell share in their shape functions.
@@ -102,16 +104,25 @@ local_position(const State<Dim, Shape>& state, const std::type_identity_t<Stenci
   return xi;
 }
 
-/// The nodes that a cell reaches.
-template <int Dim, class Shape>
-[[gnu::always_inline]] inline std::array<const NodeState<Dim>*, Shape::nodes>
-nodes_of_cell(const State<Dim, Shape>& state, std::size_t slot) {
-  std::array<const NodeState<Dim>*, Shape::nodes> nodes;
-  const NodeState<Dim>* first =
-      &state.nodal.nodes[static_cast<std::size_t>(state.order.place(slot).first_node)];
-  for (std::size_t c = 0; c < Shape::nodes; ++c) nodes[c] = first + state.grid.corner_offset[c];
-  return nodes;
-}
+/// Finds the values of the nodes that a cell reaches.
+template <int Dim, class Shape> class Corners {
+ public:
+  explicit Corners(const State<Dim, Shape>& state) {
+    for (std::size_t line = 0; line < lines_.size(); ++line)
+      lines_[line] = state.grid.corner_offset[line * Shape::width];
+  }
+
+  /// By corner, of the cell with this lowest node.
+  [[gnu::always_inline]] auto of(const Column& nodes, int first_node) const {
+    return [from = nodes.data() + first_node, this](std::size_t corner) {
+      return from[lines_[corner / Shape::width] +
+                  static_cast<std::ptrdiff_t>(corner % Shape::width)];
+    };
+  }
+
+ private:
+  std::array<std::ptrdiff_t, Shape::nodes / Shape::width> lines_;
+};
 
 /// Shape functions at row p.
 template <int Dim, class Shape>

@@ -97,6 +97,13 @@ template <int Dim, int width_> struct Stencil {
   }
 };
 
+/// The node in a lane of NodeLanes: x varies slowest there, so that the nodes which a cell does not
+/// share with the next one along x come first.
+constexpr std::size_t node_in_lane(std::size_t lane, std::size_t nodes, std::size_t width) {
+  const std::size_t lines = nodes / width;
+  return lane / lines + width * (lane % lines);
+}
+
 /// N and dN at one point, with a cell's nodes in the lanes of registers; dN in 1/cell.
 template <int Dim, int nodes> struct StencilLanes {
   NodeLanes<nodes> N;

@@ -118,6 +118,8 @@ template <int Dim> struct StrainRates {
 template <int Dim, class Shape>
 void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, bool opens,
                        BlockLines<Dim>& xi, StrainRates<Dim>& rates) {
+  const Nodes<Dim>& nodes = state.nodal.nodes;
+  const Corners<Dim, Shape> corners(state);
   xi.resize(block.size);
   rates.resize(block.size);
   for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
@@ -130,7 +132,7 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
   for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
     const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
     const StencilCell<Dim> cell = stencil_cell(state, slot);
-    const auto nodes = nodes_of_cell(state, slot);
+    const int node = state.order.place(slot).first_node;
     for (std::size_t k = begin; k < end; k += RealPack::size()) {
       std::array<RealPack, Dim> place;
       for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
@@ -139,12 +141,11 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
         auto functions = along.w;
         functions[j] = along.dw[j];
         for (std::size_t i = 0; i < Dim; ++i)
-          store_lanes(interpolate(functions, [&](std::size_t c) { return nodes[c]->v[i]; }),
+          store_lanes(interpolate(functions, corners.of(nodes.v[i], node)),
                       rates.grad_v[Dim * i + j] + k);
       }
       if (opens)
-        store_lanes(interpolate(along.w, [&](std::size_t c) { return nodes[c]->fraction; }),
-                    rates.fraction[0] + k);
+        store_lanes(interpolate(along.w, corners.of(nodes.fraction, node)), rates.fraction[0] + k);
     }
 
     if (state.averages_volume) {
@@ -165,11 +166,12 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
   }
 }
 
-/// Stresses of the points in a pack, whose rates begin at k.  Those of other materials stay.
-template <int Dim, class Law>
+/// Stresses of the points in a pack, whose rates begin at k.  Those of other materials, if there
+/// are any, stay.
+template <int Dim, bool opens, class Law>
 [[gnu::always_inline]] inline void
 update_pack(Particles<Dim>& points, const RowPack& rows, StrainRates<Dim>& rates, std::size_t k,
-            const RealPack::mask_type* of_others, bool averages, bool opens, Real dt,
+            const RealPack::mask_type* of_others, bool averages, Real dt,
             const ElasticModuli& moduli, const Law& law) {
   const auto store = [&](RealPack values, Column& column) {
     if (of_others) where(*of_others, values) = rows.load(column);
@@ -178,27 +180,29 @@ update_pack(Particles<Dim>& points, const RowPack& rows, StrainRates<Dim>& rates
   const RealPack dilation = averages ? load_lanes(rates.dilation[0] + k) : RealPack(0.0);
   RealPack rate = dilation;
   Mat<Dim, RealPack> grad_v;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] = load_lanes(rates.grad_v[Dim * i + j] + k);
+  unrolled<Dim>([&](auto i) {
+    unrolled<Dim>([&](auto j) { grad_v[i][j] = load_lanes(rates.grad_v[Dim * i + j] + k); });
     rate += grad_v[i][i];
-  }
+  });
   SymTensor<Dim, RealPack> tau;
-  for (std::size_t i = 0; i < tau.size(); ++i) tau[i] = rows.load(points.tau[i]);
+  unrolled<tensor_size<Dim>>([&](auto i) { tau[i] = rows.load(points.tau[i]); });
   RealPack gap = 0.0, room = 0.0;
-  if (opens) {
+  if constexpr (opens) {
     gap = rows.load(points.gap);
     room = max(1.0 / load_lanes(rates.fraction[0] + k) - 1.0, RealPack(0.0));
   }
   const PlasticStep<RealPack> plastic =
       update_stress<Dim, RealPack>(tau, gap, room, grad_v, dilation, dt, moduli, law);
-  for (std::size_t i = 0; i < tau.size(); ++i) store(tau[i], points.tau[i]);
-  if (opens) store(gap, points.gap);
-  if constexpr (!std::is_same_v<Law, ElasticUpdate>) {
+  unrolled<tensor_size<Dim>>([&](auto i) { store(tau[i], points.tau[i]); });
+  RealPack J = rows.load(points.J) * (1.0 + dt * rate);
+  if (plastic.happened) {
+    if constexpr (opens) store(gap, points.gap);
     store(rows.load(points.plastic_strain) + plastic.strain, points.plastic_strain);
     store(rows.load(points.dissipation) + plastic.dissipation, points.dissipation);
+    // A gap that is not remembered is no volume of the material either: else it adds up for ever.
+    J /= 1.0 + plastic.forgotten;
   }
-  // A gap that is not remembered is no volume of the material either: else it adds up for ever.
-  store(rows.load(points.J) * (1.0 + dt * rate) / (1.0 + plastic.forgotten), points.J);
+  store(J, points.J);
 }
 
 /// All points of one material (which remembers gaps, if it `opens`), with the nodes' present
@@ -220,19 +224,21 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
         own += points.material[block.rows[k]] == material ? 1U : 0U;
       if (own == 0) continue;
       find_strain_rates(state, block, opens, xi, rates);
-      for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
-        const RowPack rows = block.pack(k);
-        if (own == block.size) {
-          update_pack(points, rows, rates, k, nullptr, state.averages_volume, opens, dt, moduli,
-                      law);
-        } else {
-          RealPack::mask_type others(true);
-          for (std::size_t lane = 0; lane < rows.size(); ++lane)
-            others[lane] = points.material[block.rows[k + lane]] != material;
-          update_pack(points, rows, rates, k, &others, state.averages_volume, opens, dt, moduli,
-                      law);
+      const auto update = [&]<bool with_gaps>(std::bool_constant<with_gaps>) {
+        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
+          const RowPack rows = block.pack(k);
+          RealPack::mask_type others(false);
+          if (own < block.size)
+            for (std::size_t lane = 0; lane < rows.size(); ++lane)
+              others[lane] = points.material[block.rows[k + lane]] != material;
+          update_pack<Dim, with_gaps>(points, rows, rates, k, own < block.size ? &others : nullptr,
+                                      state.averages_volume, dt, moduli, law);
         }
-      }
+      };
+      if (opens)
+        update(std::true_type());
+      else
+        update(std::false_type());
     }
   }
 }

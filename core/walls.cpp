@@ -92,6 +92,9 @@ template <int Dim> void Walls<Dim>::find_mirrors() {
       if (set >> 2 * axis & 1U) mirrors_[set].lower[axis] = grid_->odd[axis][0];
       if (set >> 2 * axis & 2U) mirrors_[set].upper[axis] = grid_->odd[axis][1];
     }
+  bool any = false;
+  for (const auto& sides : grid_->odd) any = any || sides[0] != 0 || sides[1] != 0;
+  if (!any) return;
   next_to_mirror_.assign(held_.size(), 0);
   for (int node = 0; node < grid_->node_count; ++node) {
     std::uint8_t& set = next_to_mirror_[static_cast<std::size_t>(node)];

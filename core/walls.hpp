@@ -31,6 +31,16 @@ template <int Dim> class Walls {
       if (mask >> i & 1U) v[i] = 0.0;
   }
 
+  /// Whether anything below acts on one of `count` nodes in a row.
+  bool touch(int first, std::size_t count) const {
+    unsigned any = 0;
+    const auto from = static_cast<std::size_t>(first);
+    for (std::size_t k = from; k < from + count; ++k) any |= held_[k];
+    if (!rubs_.empty())
+      for (std::size_t k = from; k < from + count; ++k) any |= rubs_[k];
+    return any != 0;
+  }
+
   /// Sides that hold the first control points of B-splines at 0 are mirrors in which a velocity is
   /// odd.  The control point next to such a side then moves with its image, and its inertia is that
   /// of both, its own and that of the held one: core/node_pass.hpp.
@@ -44,6 +54,8 @@ template <int Dim> class Walls {
     const std::uint8_t which = next_to_mirror_[static_cast<std::size_t>(node)];
     return which == 0 ? nullptr : &mirrors_[which];
   }
+
+  bool have_mirrors() const { return !next_to_mirror_.empty(); }
 
   /// Coulomb's law along friction sides: the impulse that stops the motion into the wall allows a
   /// tangential impulse of at most `friction_coefficient` times it.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/affine.hpp"
+#include "core/reference/strips.hpp"
 #include "core/state.hpp"
 #include "core/transfer.hpp"
 
@@ -24,56 +25,62 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
   Particles<Dim>& points = state.particles;
   Real fastest2 = 0.0;
   std::uint32_t outside = no_point;
-  const auto n = static_cast<std::int64_t>(state.order.cells());
+  const Corners<Dim, Shape> all_corners(state);
+  const std::int64_t blocks = block_count(state);
 #pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(min : outside)
-  for (std::int64_t s = 0; s < n; ++s) {
-    const auto slot = static_cast<std::size_t>(s);
-    const int first = state.order.place(slot).first_node;
-    std::array<Vec<Dim>, corners> v_I;
-    std::array<Vec<Dim>, corners> dv_I;
-    for (std::size_t c = 0; c < corners; ++c) {
-      const auto& node =
-          state.nodal.nodes[static_cast<std::size_t>(first + state.grid.corner_offset[c])];
-      v_I[c] = node.v;
-      dv_I[c] = node.dv;
-    }
-    std::array<std::array<Real, corners>, Dim> mv_I = {};
-    const StencilCell<Dim> cell = stencil_cell(state, slot);
-
-    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-      const std::size_t p = state.order.row(k);
-      const Shape shape = shape_at(state, cell, p);
-      Vec<Dim> v_grid = {};
-      Vec<Dim> dv_grid = {};
-      for (std::size_t c = 0; c < corners; ++c) {
-        for (std::size_t i = 0; i < Dim; ++i) {
-          v_grid[i] += shape.N[c] * v_I[c][i];
-          dv_grid[i] += shape.N[c] * dv_I[c][i];
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    const CellBlock block = cell_block(state, b);
+    for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
+      std::array<Vec<Dim>, corners> v_I;
+      std::array<Vec<Dim>, corners> dv_I;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        const auto v = all_corners.of(state.nodal.nodes.v[i], state.order.place(slot).first_node);
+        const auto dv = all_corners.of(state.nodal.nodes.dv[i], state.order.place(slot).first_node);
+        for (std::size_t c = 0; c < corners; ++c) {
+          v_I[c][i] = v(c);
+          dv_I[c][i] = dv(c);
         }
       }
-      Vec<Dim> v_p;
-      Real v2 = 0.0, v_grid2 = 0.0;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
-        points.v[i][p] = v_p[i];
-        points.dx[i][p] = dt * v_grid[i];
-        v2 += v_p[i] * v_p[i];
-        v_grid2 += v_grid[i] * v_grid[i];
+      std::array<std::array<Real, corners>, Dim> mv_I = {};
+      const StencilCell<Dim> cell = stencil_cell(state, slot);
+
+      for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+        const std::size_t p = state.order.row(k);
+        const Shape shape = shape_at(state, cell, p);
+        Vec<Dim> v_grid = {};
+        Vec<Dim> dv_grid = {};
+        for (std::size_t c = 0; c < corners; ++c) {
+          for (std::size_t i = 0; i < Dim; ++i) {
+            v_grid[i] += shape.N[c] * v_I[c][i];
+            dv_grid[i] += shape.N[c] * dv_I[c][i];
+          }
+        }
+        Vec<Dim> v_p;
+        Real v2 = 0.0, v_grid2 = 0.0;
+        for (std::size_t i = 0; i < Dim; ++i) {
+          v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
+          points.v[i][p] = v_p[i];
+          points.dx[i][p] = dt * v_grid[i];
+          v2 += v_p[i] * v_p[i];
+          v_grid2 += v_grid[i] * v_grid[i];
+        }
+        fastest2 = std::max({fastest2, v2, v_grid2});
+        Vec<Dim> x_new;
+        for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
+        if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
+        if (affine) gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
+        if constexpr (remap) {
+          if (affine)
+            add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
+          const Real m = points.m[p];
+          for (std::size_t c = 0; c < corners; ++c)
+            for (std::size_t i = 0; i < Dim; ++i) mv_I[i][c] += m * v_p[i] * shape.N[c];
+        }
       }
-      fastest2 = std::max({fastest2, v2, v_grid2});
-      Vec<Dim> x_new;
-      for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
-      if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
-      if (affine) gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
-      if constexpr (remap) {
-        if (affine)
-          add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
-        const Real m = points.m[p];
-        for (std::size_t c = 0; c < corners; ++c)
-          for (std::size_t i = 0; i < Dim; ++i) mv_I[i][c] += m * v_p[i] * shape.N[c];
-      }
+      if constexpr (remap)
+        for (std::size_t i = 0; i < Dim; ++i)
+          add_to_strip<Shape>(state, slot, mv_I[i], state.nodal.sums.mv[i]);
     }
-    if constexpr (remap) state.nodal.tiles[slot].mv = mv_I;
   }
   return {std::sqrt(fastest2), outside};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/affine.hpp"
+#include "core/reference/strips.hpp"
 #include "core/state.hpp"
 #include "core/transfer.hpp"
 
@@ -19,19 +20,15 @@ template <int Dim, Terms terms, class Shape>
 void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_force = {}) {
   constexpr bool momentum = terms != Terms::force;
   constexpr bool force = terms != Terms::mass_momentum;
-  state.nodal.tiles.resize(state.order.cells());
+  using Lines = typename StripSums<Dim, Shape>::Lines;
+  StripSums<Dim, Shape>& sums = state.nodal.sums;
+  sums.resize(state.order.entries(), state.nodal.tracks_fraction);
   const Particles<Dim>& points = state.particles;
   [[maybe_unused]] const bool tracks_fraction = state.nodal.tracks_fraction;
   [[maybe_unused]] const bool affine = points.affine();
 
-  for_each_cell(state, [&](std::size_t slot) {
-    auto tile = state.nodal.tiles[slot];
-    if constexpr (momentum) {
-      tile.m = {};
-      tile.V0 = {};
-      tile.mv = {};
-    }
-    if constexpr (force) tile.f = {};
+  for_each_cell_of_blocks(state, [&](std::size_t slot) {
+    CellTile<Dim, Shape::nodes> tile = {};
     const StencilCell<Dim> cell = stencil_cell(state, slot);
     [[maybe_unused]] const Real mean_of_cell =
         force && state.averages_volume
@@ -76,7 +73,16 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
         }
       }
     }
-    state.nodal.tiles[slot] = tile;
+    const auto add = [&](const std::array<Real, Shape::nodes>& of_cell, Lines& to) {
+      add_to_strip<Shape>(state, slot, of_cell, to);
+    };
+    if constexpr (momentum) {
+      add(tile.m, sums.m);
+      if (tracks_fraction) add(tile.V0, sums.V0);
+      for (std::size_t i = 0; i < Dim; ++i) add(tile.mv[i], sums.mv[i]);
+    }
+    if constexpr (force)
+      for (std::size_t i = 0; i < Dim; ++i) add(tile.f[i], sums.f[i]);
   });
 }
 

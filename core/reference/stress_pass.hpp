@@ -9,11 +9,13 @@ namespace scarp::reference {
 template <int Dim, class Shape>
 Mat<Dim> velocity_gradient(const State<Dim, Shape>& state, std::size_t slot, std::size_t p) {
   const Shape shape = shape_at(state, stencil_cell(state, slot), p);
-  const auto nodes = nodes_of_cell(state, slot);
+  const Corners<Dim, Shape> corners(state);
   Mat<Dim> grad_v = {};
-  for (std::size_t c = 0; c < Shape::nodes; ++c)
-    for (std::size_t i = 0; i < Dim; ++i)
-      for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += nodes[c]->v[i] * shape.dN[c][j];
+  for (std::size_t i = 0; i < Dim; ++i) {
+    const auto v = corners.of(state.nodal.nodes.v[i], state.order.place(slot).first_node);
+    for (std::size_t c = 0; c < Shape::nodes; ++c)
+      for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += v(c) * shape.dN[c][j];
+  }
   return grad_v;
 }
 
@@ -36,9 +38,10 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       Real gap = 0.0, room = 0.0;
       if (opens) {
         const Shape shape = shape_at(state, stencil_cell(state, slot), p);
-        const auto nodes = nodes_of_cell(state, slot);
+        const Corners<Dim, Shape> corners(state);
+        const auto at = corners.of(state.nodal.nodes.fraction, state.order.place(slot).first_node);
         Real fraction = 0.0;
-        for (std::size_t c = 0; c < Shape::nodes; ++c) fraction += shape.N[c] * nodes[c]->fraction;
+        for (std::size_t c = 0; c < Shape::nodes; ++c) fraction += shape.N[c] * at(c);
         room = std::max(1.0 / fraction - 1.0, 0.0);
         gap = points.gap[p];
       }

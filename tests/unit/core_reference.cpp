@@ -57,22 +57,23 @@ template <int Dim, class Shape> std::unique_ptr<State<Dim, Shape>> random_state(
   state->order.update(points);
   for (std::size_t p = 0; p < points.size(); p += 41) anywhere(p);
   state->order.update(points);
-  for (auto& node : state->nodal.nodes) {
-    for (Real& v : node.v) v = random.between(-1.0, 1.0);
-    for (Real& dv : node.dv) dv = random.between(-1.0, 1.0);
-    node.fraction = random.between(0.2, 1.2);
+  auto& nodes = state->nodal.nodes;
+  for (std::size_t n = 0; n < nodes.m.size(); ++n) {
+    for (Column& v : nodes.v) v[n] = random.between(-1.0, 1.0);
+    for (Column& dv : nodes.dv) dv[n] = random.between(-1.0, 1.0);
+    nodes.fraction[n] = random.between(0.2, 1.2);
   }
   return state;
 }
 
-void expect_same(const Column& a, const Column& b, const char* what) {
+void expect_same(const Column& a, const Column& b, const char* what, double tolerance = 1e-13) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    ASSERT_NEAR(a[k], b[k], 1e-13 * (1.0 + std::abs(b[k]))) << what << ' ' << k;
+    ASSERT_NEAR(a[k], b[k], tolerance * (1.0 + std::abs(b[k]))) << what << ' ' << k;
 }
 
 template <int Dim, class Shape>
-void expect_same(const State<Dim, Shape>& a, const State<Dim, Shape>& b, bool with_tiles) {
+void expect_same(const State<Dim, Shape>& a, const State<Dim, Shape>& b, bool with_sums) {
   for (std::size_t i = 0; i < Dim; ++i) {
     expect_same(a.particles.v[i], b.particles.v[i], "v");
     expect_same(a.particles.dx[i], b.particles.dx[i], "dx");
@@ -83,17 +84,17 @@ void expect_same(const State<Dim, Shape>& a, const State<Dim, Shape>& b, bool wi
   expect_same(a.particles.gap, b.particles.gap, "gap");
   expect_same(a.particles.plastic_strain, b.particles.plastic_strain, "plastic strain");
   expect_same(a.particles.dissipation, b.particles.dissipation, "dissipation");
-  if (!with_tiles) return;
-  ASSERT_EQ(a.nodal.tiles.size(), b.nodal.tiles.size());
-  for (std::size_t s = 0; s < a.nodal.tiles.size(); ++s)
-    for (std::size_t c = 0; c < Shape::nodes; ++c) {
-      ASSERT_NEAR(a.nodal.tiles[s].m[c], b.nodal.tiles[s].m[c], 1e-12);
-      ASSERT_NEAR(a.nodal.tiles[s].V0[c], b.nodal.tiles[s].V0[c], 1e-12);
-      for (std::size_t i = 0; i < Dim; ++i) {
-        ASSERT_NEAR(a.nodal.tiles[s].mv[i][c], b.nodal.tiles[s].mv[i][c], 1e-12);
-        ASSERT_NEAR(a.nodal.tiles[s].f[i][c], b.nodal.tiles[s].f[i][c], 1e-11);
-      }
-    }
+  if (!with_sums) return;
+  const auto same_lines = [](const auto& lines, const auto& others, const char* what) {
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      expect_same(lines[line], others[line], what, 1e-11);
+  };
+  same_lines(a.nodal.sums.m, b.nodal.sums.m, "m");
+  same_lines(a.nodal.sums.V0, b.nodal.sums.V0, "V0");
+  for (std::size_t i = 0; i < Dim; ++i) {
+    same_lines(a.nodal.sums.mv[i], b.nodal.sums.mv[i], "m v");
+    same_lines(a.nodal.sums.f[i], b.nodal.sums.f[i], "f");
+  }
 }
 
 template <int Dim, class Shape> void check_all_passes() {

@@ -108,11 +108,9 @@ TEST(Mirror, UniformStrainIsKept) {
     // Node (1, 4), and the held one beside it.
     const int next = 1 + 4 * state.grid.node_stride[1];
     // 8 points a cell integrate the quadratic functions to 1/(24 64).
-    EXPECT_NEAR(state.nodal.nodes[static_cast<std::size_t>(next)].v[0], a * h / 2.0, 5e-3 * a * h)
-        << affine;
-    EXPECT_EQ(state.nodal.nodes[static_cast<std::size_t>(next - 1)].v[0], 0.0);
+    EXPECT_NEAR(state.nodal.nodes.v[0][next], a * h / 2.0, 5e-3 * a * h) << affine;
+    EXPECT_EQ(state.nodal.nodes.v[0][next - 1], 0.0);
     // Away from the side nothing changes: node (3, 4) lies at 2.5 h.
-    EXPECT_NEAR(state.nodal.nodes[static_cast<std::size_t>(next + 2)].v[0], 2.5 * a * h,
-                5e-3 * a * h);
+    EXPECT_NEAR(state.nodal.nodes.v[0][next + 2], 2.5 * a * h, 5e-3 * a * h);
   }
 }
