@@ -9,7 +9,7 @@ namespace scarp {
 /// f_I += sum_p m_p b(x_p, t) N_I, after the scatter pass; x_p is where the point is now.
 template <int Dim, class Shape>
 void body_force_pass(State<Dim, Shape>& state, const BodyForceField& field, Real time) {
-  const Particles<Dim>& points = state.particles;
+  const Particles<Dim, typename Shape::Number>& points = state.particles;
   reference::for_each_cell_of_blocks(state, [&](std::size_t slot) {
     std::array<std::array<Real, Shape::nodes>, Dim> f = {};
     const StencilCell<Dim> cell = stencil_cell(state, slot);
@@ -27,7 +27,7 @@ void body_force_pass(State<Dim, Shape>& state, const BodyForceField& field, Real
     for (std::size_t i = 0; i < Dim; ++i)
       for (std::size_t c = 0; c < Shape::nodes; ++c)
         state.nodal.sums.f[i][c / Shape::width][state.order.place(slot).entry + c % Shape::width] +=
-            f[i][c];
+            static_cast<typename Shape::Number>(f[i][c]);
   });
 }
 

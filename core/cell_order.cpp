@@ -5,12 +5,14 @@
 
 namespace scarp {
 
-template <int Dim, int corners> void CellOrder<Dim, corners>::update(Particles<Dim>& particles) {
+template <int Dim, int corners>
+template <class T>
+void CellOrder<Dim, corners>::update(Particles<Dim, T>& particles) {
   const std::size_t points = particles.size();
   const bool first = cell_of_.size() != points;
   if (first) cell_of_.assign(points, -1);
 
-  std::vector<Move> moves = find_moves(particles);
+  std::vector<Move> moves = find_moves(particles.x);
   if (moves.empty()) return;
 
   const auto part = static_cast<std::size_t>(reorder_part * static_cast<double>(points));
@@ -32,10 +34,10 @@ template <int Dim, int corners> void CellOrder<Dim, corners>::update(Particles<D
 
 /// Brings `cell_of_` up to date.  The order of the moves depends on the threads.
 template <int Dim, int corners>
-auto CellOrder<Dim, corners>::find_moves(const Particles<Dim>& particles) -> std::vector<Move> {
+auto CellOrder<Dim, corners>::find_moves(const std::array<Column, Dim>& x) -> std::vector<Move> {
   constexpr std::int64_t block = 256; // tested at once: nearly all points stay
   std::vector<std::vector<Move>> of_thread(static_cast<std::size_t>(omp_get_max_threads()));
-  const auto n = static_cast<std::int64_t>(particles.size());
+  const auto n = static_cast<std::int64_t>(x[0].size());
 #pragma omp parallel
   {
     std::vector<Move>& own = of_thread[static_cast<std::size_t>(omp_get_thread_num())];
@@ -46,7 +48,9 @@ auto CellOrder<Dim, corners>::find_moves(const Particles<Dim>& particles) -> std
       const auto size = static_cast<std::size_t>(std::min(block, n - start));
       int changed = 0;
       for (std::size_t k = 0; k < size; ++k) {
-        cell[k] = grid_->cell_of(particles.position(first + k));
+        Vec<Dim> place;
+        for (std::size_t i = 0; i < Dim; ++i) place[i] = x[i][first + k];
+        cell[k] = grid_->cell_of(place);
         changed |= cell[k] ^ cell_of_[first + k];
       }
       if (changed == 0) continue;
@@ -135,7 +139,9 @@ void CellOrder<Dim, corners>::follow(const std::vector<Move>& moves) {
   begin_.push_back(static_cast<std::uint32_t>(rows_.size()));
 }
 
-template <int Dim, int corners> void CellOrder<Dim, corners>::reorder(Particles<Dim>& particles) {
+template <int Dim, int corners>
+template <class T>
+void CellOrder<Dim, corners>::reorder(Particles<Dim, T>& particles) {
   // Most rows follow each other: pieces of them are copied at once.
   struct Piece {
     std::uint32_t from, to, count;
@@ -242,5 +248,16 @@ template class CellOrder<2, 16>;
 template class CellOrder<3, 8>;
 template class CellOrder<3, 27>;
 template class CellOrder<3, 64>;
+
+template void CellOrder<2, 4>::update(Particles<2>&);
+template void CellOrder<2, 9>::update(Particles<2>&);
+template void CellOrder<2, 16>::update(Particles<2>&);
+template void CellOrder<3, 8>::update(Particles<3>&);
+template void CellOrder<3, 27>::update(Particles<3>&);
+template void CellOrder<3, 64>::update(Particles<3>&);
+template void CellOrder<2, 4>::update(Particles<2, float>&);
+template void CellOrder<2, 9>::update(Particles<2, float>&);
+template void CellOrder<3, 8>::update(Particles<3, float>&);
+template void CellOrder<3, 27>::update(Particles<3, float>&);
 
 } // namespace scarp

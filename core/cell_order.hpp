@@ -49,7 +49,7 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
       : grid_(&grid), count_(static_cast<std::size_t>(grid.cell_count) + 1) {}
 
   /// Assigns every point to its cell.  All points must lie in the grid.
-  void update(Particles<Dim>& particles);
+  template <class T> void update(Particles<Dim, T>& particles);
 
   std::size_t cells() const { return occupied_.size(); }
   int cell(std::size_t slot) const { return occupied_[slot]; }
@@ -78,13 +78,13 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
     auto operator<=>(const Move&) const = default;
   };
 
-  std::vector<Move> find_moves(const Particles<Dim>& particles);
+  std::vector<Move> find_moves(const std::array<Column, Dim>& x);
   void count_points();
   void follow(const std::vector<Move>& moves);
   void find_places();
   void find_parts();
   void find_node_runs();
-  void reorder(Particles<Dim>& particles);
+  template <class T> void reorder(Particles<Dim, T>& particles);
 
   const GridIndex<Dim>* grid_;
   std::vector<int> cell_of_;         ///< of each row
@@ -96,7 +96,8 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
   std::vector<Part> parts_; ///< by first node
   std::vector<NodeRun> runs_;
   /// A column of each type, into which the next one is put in order.
-  std::tuple<Column, std::vector<std::uint32_t>, std::vector<std::uint8_t>, std::vector<int>>
+  std::tuple<Column, ColumnOf<float>, std::vector<std::uint32_t>, std::vector<std::uint8_t>,
+             std::vector<int>>
       spare_;
   std::size_t moved_ = 0; ///< cell changes since the columns were last put into order
 };

@@ -24,6 +24,7 @@
 // Computational Methods for Plasticity, ch. 8, for the return to smooth cone and apex.
 #pragma once
 
+#include "core/lanes.hpp"
 #include "core/scene.hpp"
 #include "core/types.hpp"
 
@@ -56,7 +57,10 @@ requires(!std::is_same_v<Mask, bool>)
 }
 
 /// `yes` where the condition holds, else `no`.
-inline Real choose(bool condition, Real yes, Real no) { return condition ? yes : no; }
+template <class T>
+requires std::is_floating_point_v<T> T choose(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
 template <class Mask, class T>
 requires(!std::is_same_v<Mask, bool>) [[gnu::always_inline]] inline T
     choose(const Mask& condition, const T& yes, T no) {
@@ -68,9 +72,9 @@ requires(!std::is_same_v<Mask, bool>) [[gnu::always_inline]] inline T
 template <class T = Real> struct PlasticStep {
   bool happened = false; ///< to any of the points; else everything below is 0
   /// -, increment of the equivalent plastic strain sqrt(2/3 de:de), deviatoric
-  T strain = 0.0;
-  T dissipation = 0.0; ///< J/m3
-  T forgotten = 0.0;   ///< -, volumetric strain of a gap that the law does not remember
+  T strain = 0.0F;
+  T dissipation = 0.0F; ///< J/m3
+  T forgotten = 0.0F;   ///< -, volumetric strain of a gap that the law does not remember
 };
 
 struct ElasticUpdate {
@@ -126,38 +130,41 @@ struct DruckerPragerUpdate {
   [[gnu::always_inline]] PlasticStep<T> operator()(SymTensor<Dim, T>& stress, T& gap,
                                                    const T& room) const {
     using std::max, std::min, std::sqrt;
-    const T mean_trial = trace<Dim, T>(stress) * (1.0 / 3.0);
+    const auto q = number<T>(q_phi), k = number<T>(k_phi), cut_off = number<T>(sigma_t);
+    const auto inv_K = number<T>(inv_bulk);
+    const T mean_trial = trace<Dim, T>(stress) * number<T>(1.0 / 3.0);
     SymTensor<Dim, T> s = stress;
     for (std::size_t i = 0; i < 3; ++i) s[i] -= mean_trial;
-    T J2 = 0.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+    T J2 = 0.5F * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
     for (std::size_t i = 3; i < s.size(); ++i) J2 += s[i] * s[i];
-    const T strength = k_phi - q_phi * mean_trial;
+    const T strength = k - q * mean_trial;
     const auto inside =
-        mean_trial <= sigma_t && strength >= 0.0 && J2 <= strength * strength && gap == 0.0;
+        mean_trial <= cut_off && strength >= 0.0F && J2 <= strength * strength && gap == 0.0F;
     if (everywhere(inside)) return {};
 
     const T tau_trial = sqrt(J2);
-    const T mean_open = mean_trial + moduli.bulk * gap;
-    const T multiplier = max(tau_trial - strength, T(0.0)) * inv_hardness;
-    const T mean_cone = mean_open - moduli.bulk * q_psi * multiplier;
-    const T mean = min(mean_cone, T(sigma_t));
-    const T opening = (mean_cone - mean) * inv_bulk;
+    const T mean_open = mean_trial + number<T>(moduli.bulk) * gap;
+    const T multiplier = max(tau_trial - strength, T(0.0F)) * number<T>(inv_hardness);
+    const T mean_cone = mean_open - number<T>(moduli.bulk * q_psi) * multiplier;
+    const T mean = min(mean_cone, T(cut_off));
+    const T opening = (mean_cone - mean) * inv_K;
     gap = min(opening, room);
-    const T tau = max(min(tau_trial, k_phi - q_phi * mean), T(0.0));
-    const T scale = tau / max(tau_trial, T(std::numeric_limits<Real>::min())); // 0/0 is 0: s is 0
+    const T tau = max(min(tau_trial, k - q * mean), T(0.0F));
+    constexpr auto least = std::numeric_limits<typename NumberIn<T>::type>::min();
+    const T scale = tau / max(tau_trial, T(least)); // 0/0 is 0: s is 0
     for (std::size_t i = 0; i < 3; ++i) stress[i] = choose(inside, stress[i], mean + scale * s[i]);
     for (std::size_t i = 3; i < s.size(); ++i) stress[i] = choose(inside, stress[i], scale * s[i]);
 
     // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
-    const T slip = (tau_trial - tau) * inv_shear;
-    return {true, slip * inv_sqrt3, tau * slip + mean * ((mean_open - mean) * inv_bulk - gap),
-            opening - gap};
+    const T slip = (tau_trial - tau) * number<T>(inv_shear);
+    return {true, slip * number<T>(inv_sqrt3),
+            tau * slip + mean * ((mean_open - mean) * inv_K - gap), opening - gap};
   }
 
   /// The same with Opening::forgotten.
   template <int Dim, class T> PlasticStep<T> operator()(SymTensor<Dim, T>& stress) const {
-    T gap = 0.0;
-    return operator()<Dim, T>(stress, gap, T(0.0));
+    T gap = 0.0F;
+    return operator()<Dim, T>(stress, gap, T(0.0F));
   }
 };
 

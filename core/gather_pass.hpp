@@ -14,18 +14,20 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
   if constexpr (!has_lanes<Shape>) {
     return reference::gather_pass<Dim, remap>(state, flip, dt);
   } else {
-    if (state.particles.affine()) return reference::gather_pass<Dim, remap>(state, flip, dt);
-    using AtNodes = NodeLanes<Shape::nodes>;
-    Particles<Dim>& points = state.particles;
-    const Nodes<Dim>& nodes = state.nodal.nodes;
+    using T = typename Shape::Number;
+    if constexpr (std::is_same_v<T, Real>)
+      if (state.particles.affine()) return reference::gather_pass<Dim, remap>(state, flip, dt);
+    using AtNodes = NodeLanes<Shape::nodes, T>;
+    Particles<Dim, T>& points = state.particles;
+    const Nodes<Dim, T>& nodes = state.nodal.nodes;
     const Corners<Dim, Shape> corners(state);
     Real fastest2 = 0.0;
     std::uint32_t outside = no_point;
     const std::int64_t blocks = block_count(state);
 #pragma omp parallel reduction(max : fastest2) reduction(min : outside)
     {
-      BlockLines<Dim> xi, v_grid, dv_grid, m_v;
-      RealPack fastest = 0.0; // v2 of this thread's points, by lane
+      BlockLines<Dim, T> xi, v_grid, dv_grid, m_v;
+      Pack<T> fastest = 0.0F; // v2 of this thread's points, by lane
 #pragma omp for schedule(static)
       for (std::int64_t b = 0; b < blocks; ++b) {
         const CellBlock block = cell_block(state, b);
@@ -33,8 +35,8 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         v_grid.resize(block.size);
         dv_grid.resize(block.size);
         m_v.resize(block.size);
-        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
-          const std::array<RealPack, Dim> place = local_position(state, block.pack(k));
+        for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
+          const std::array<Pack<T>, Dim> place = local_position(state, block.pack<T>(k));
           for (std::size_t i = 0; i < Dim; ++i) store_lanes(place[i], xi[i] + k);
         }
 
@@ -44,8 +46,8 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
           const StencilCell<Dim> cell = stencil_cell(state, slot);
           const int node = state.order.place(slot).first_node;
-          for (std::size_t k = begin; k < end; k += RealPack::size()) {
-            std::array<RealPack, Dim> place;
+          for (std::size_t k = begin; k < end; k += Pack<T>::size()) {
+            std::array<Pack<T>, Dim> place;
             for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
             const auto w = Shape::along(place, cell).w;
             for (std::size_t i = 0; i < Dim; ++i) {
@@ -56,26 +58,30 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           begin = end;
         }
 
-        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
-          const RowPack rows = block.pack(k);
-          const RealPack m = rows.load(points.m);
-          RealPack v2 = 0.0, v_grid2 = 0.0;
-          RealPack::mask_type inside(true);
+        for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
+          const RowPack<T> rows = block.pack<T>(k);
+          const Pack<T> m = rows.load(points.m);
+          Pack<T> v2 = 0.0F, v_grid2 = 0.0F;
+          typename Pack<T>::mask_type inside(true);
           for (std::size_t i = 0; i < Dim; ++i) {
-            const RealPack v_I = load_lanes(v_grid[i] + k);
-            const RealPack dv_I = load_lanes(dv_grid[i] + k);
-            const RealPack v = flip * (rows.load(points.v[i]) + dv_I) + (1.0 - flip) * v_I;
-            const RealPack dx = dt * v_I;
+            const Pack<T> v_I = load_lanes(v_grid[i] + k);
+            const Pack<T> dv_I = load_lanes(dv_grid[i] + k);
+            const Pack<T> v =
+                number<T>(flip) * (rows.load(points.v[i]) + dv_I) + number<T>(1.0 - flip) * v_I;
+            const Pack<T> dx = number<T>(dt) * v_I;
             rows.store(v, points.v[i]);
             rows.store(dx, points.dx[i]);
             if constexpr (remap) store_lanes(m * v, m_v[i] + k);
             v2 += v * v;
             v_grid2 += v_I * v_I;
-            const RealPack x_new = state.grid.scaled(rows.load(points.x[i]) + dx, i);
-            inside = inside && x_new >= 0.0 && x_new < static_cast<Real>(state.grid.cells[i]);
+            // In T this may round to the grid's very end: the order finds such a point in its cell.
+            const Pack<T> x_new = rows.map(points.x[i], [&](const auto& x) {
+              return state.grid.scaled(x, i);
+            }) + dx * number<T>(state.grid.inv_h);
+            inside = inside && x_new >= 0.0F && x_new < number<T>(state.grid.cells[i]);
           }
           v2 = max(v2, v_grid2);
-          if (rows.size() == RowPack::capacity)
+          if (rows.size() == RowPack<T>::capacity)
             fastest = max(fastest, v2);
           else
             for (std::size_t lane = 0; lane < rows.size(); ++lane)
@@ -93,7 +99,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
             const typename Shape::Lanes functions(stencil_cell(state, slot));
             std::array<AtNodes, Dim> mv;
             for (; k < end; ++k) {
-              Vec<Dim> place;
+              Vec<Dim, T> place;
               for (std::size_t i = 0; i < Dim; ++i) place[i] = xi[i][k];
               const AtNodes N = functions(place).N;
               for (std::size_t i = 0; i < Dim; ++i) mv[i] += N * m_v[i][k];
@@ -105,7 +111,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           }
         }
       }
-      fastest2 = std::max(fastest2, hmax(fastest));
+      fastest2 = std::max(fastest2, static_cast<Real>(hmax(fastest)));
     }
     return {std::sqrt(fastest2), outside};
   }

@@ -10,7 +10,7 @@ namespace scarp {
 
 /// Cell i reaches the nodes of its ends and the next ones on both sides: i to i + 3, of which node
 /// 1 lies on the grid's lower side.
-template <int Dim> struct GimpShape : Stencil<Dim, 4> {
+template <int Dim, class Number_ = Real> struct GimpShape : Stencil<Dim, 4> {
   static constexpr NodeLayout layout = NodeLayout::padded;
 
   GimpShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) : Stencil<Dim, 4>(along(xi, cell)) {}

@@ -6,11 +6,11 @@
 namespace scarp {
 
 /// Corner c lies on side c >> a & 1 along axis a; xi in [0, 1]^Dim.
-template <int Dim> struct LinearShape : Stencil<Dim, 2> {
+template <int Dim, class Number_ = Real> struct LinearShape : Stencil<Dim, 2, Number_> {
   static constexpr NodeLayout layout = NodeLayout::corner;
 
   LinearShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell) : LinearShape(xi, cell.inv_h) {}
-  LinearShape(const Vec<Dim>& xi, Real inv_h) : Stencil<Dim, 2>(along_axes(xi, inv_h)) {}
+  LinearShape(const Vec<Dim>& xi, Real inv_h) : Stencil<Dim, 2, Number_>(along_axes(xi, inv_h)) {}
 
   template <class T>
   static AlongAxes<Dim, 2, T> along(const std::array<T, Dim>& xi, const StencilCell<Dim>& cell) {
@@ -31,22 +31,23 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
    public:
     explicit Lanes(const StencilCell<Dim>&) {}
 
-    [[gnu::always_inline]] StencilLanes<Dim, power(2, Dim)> operator()(const Vec<Dim>& xi) const {
+    [[gnu::always_inline]] StencilLanes<Dim, power(2, Dim), Number_>
+    operator()(const Vec<Dim, Number_>& xi) const {
       const auto dw = [&](std::size_t a) { return AtNodes(tables[1][a]); };
       const auto w = [&](std::size_t a) { return AtNodes(tables[0][a]) + dw(a) * xi[a]; };
       return {w, dw};
     }
 
    private:
-    using AtNodes = NodeLanes<power(2, Dim)>;
+    using AtNodes = NodeLanes<power(2, Dim), Number_>;
     /// At xi = 0, and the slope; by axis.
     static constexpr std::array<std::array<typename AtNodes::Table, Dim>, 2> tables = [] {
       std::array<std::array<typename AtNodes::Table, Dim>, 2> both = {};
       for (std::size_t a = 0; a < Dim; ++a)
         for (std::size_t lane = 0; lane < Stencil<Dim, 2>::nodes; ++lane) {
           const std::size_t c = node_in_lane(lane, Stencil<Dim, 2>::nodes, 2);
-          both[0][a][lane] = c >> a & 1U ? 0.0 : 1.0;
-          both[1][a][lane] = c >> a & 1U ? 1.0 : -1.0;
+          both[0][a][lane] = c >> a & 1U ? 0 : 1;
+          both[1][a][lane] = c >> a & 1U ? 1 : -1;
         }
       return both;
     }();
@@ -57,8 +58,8 @@ template <int Dim> struct LinearShape : Stencil<Dim, 2> {
   static AlongAxes<Dim, 2, T> along_axes(const std::array<T, Dim>& xi, Real inv_h) {
     AlongAxes<Dim, 2, T> along;
     for (std::size_t a = 0; a < Dim; ++a) {
-      along.w[a] = {1.0 - xi[a], xi[a]};
-      along.dw[a] = {T(-inv_h), T(inv_h)};
+      along.w[a] = {1.0F - xi[a], xi[a]};
+      along.dw[a] = {T(number<T>(-inv_h)), T(number<T>(inv_h))};
     }
     return along;
   }

@@ -63,14 +63,18 @@ template <int Dim> Vec<Dim> Loads<Dim>::force(std::size_t region) const {
   return own_.empty() ? common_ : own_[region];
 }
 
-template <int Dim> std::vector<Vec<Dim>> Loads<Dim>::moments(const Particles<Dim>& points) const {
+template <int Dim>
+template <class T>
+std::vector<Vec<Dim>> Loads<Dim>::moments(const Particles<Dim, T>& points) const {
   std::vector<Vec<Dim>> sums(regions_.size());
   for (std::size_t p = 0; p < points.size(); ++p)
     for (std::size_t i = 0; i < Dim; ++i) sums[points.region[p]][i] += points.m[p] * points.x[i][p];
   return sums;
 }
 
-template <int Dim> Real Loads<Dim>::potential(const Particles<Dim>& points) const {
+template <int Dim>
+template <class T>
+Real Loads<Dim>::potential(const Particles<Dim, T>& points) const {
   const std::vector<Vec<Dim>> now = moments(points);
   Real sum = 0.0;
   for (std::size_t r = 0; r < now.size(); ++r)
@@ -78,7 +82,7 @@ template <int Dim> Real Loads<Dim>::potential(const Particles<Dim>& points) cons
   return sum;
 }
 
-template <int Dim> Real Loads<Dim>::work(const Particles<Dim>& points) const {
+template <int Dim> template <class T> Real Loads<Dim>::work(const Particles<Dim, T>& points) const {
   return work_at(moments(points));
 }
 
@@ -89,7 +93,7 @@ template <int Dim> Real Loads<Dim>::work_at(const std::vector<Vec<Dim>>& now) co
   return sum;
 }
 
-template <int Dim> void Loads<Dim>::settle(const Particles<Dim>& points) {
+template <int Dim> template <class T> void Loads<Dim>::settle(const Particles<Dim, T>& points) {
   std::vector<Vec<Dim>> now = moments(points);
   work_ = work_at(now);
   settled_ = std::move(now);
@@ -97,5 +101,17 @@ template <int Dim> void Loads<Dim>::settle(const Particles<Dim>& points) {
 
 template class Loads<2>;
 template class Loads<3>;
+template Real Loads<2>::potential(const Particles<2, Real>&) const;
+template Real Loads<2>::work(const Particles<2, Real>&) const;
+template void Loads<2>::settle(const Particles<2, Real>&);
+template Real Loads<2>::potential(const Particles<2, float>&) const;
+template Real Loads<2>::work(const Particles<2, float>&) const;
+template void Loads<2>::settle(const Particles<2, float>&);
+template Real Loads<3>::potential(const Particles<3, Real>&) const;
+template Real Loads<3>::work(const Particles<3, Real>&) const;
+template void Loads<3>::settle(const Particles<3, Real>&);
+template Real Loads<3>::potential(const Particles<3, float>&) const;
+template Real Loads<3>::work(const Particles<3, float>&) const;
+template void Loads<3>::settle(const Particles<3, float>&);
 
 } // namespace scarp

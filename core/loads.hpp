@@ -27,18 +27,18 @@ template <int Dim> class Loads {
   Real largest() const;
 
   /// J, - sum m b . x with the present forces.
-  Real potential(const Particles<Dim>& points) const;
+  template <class T> Real potential(const Particles<Dim, T>& points) const;
   /// J, done by the forces since the first call of settle().
-  Real work(const Particles<Dim>& points) const;
+  template <class T> Real work(const Particles<Dim, T>& points) const;
   /// Books the work up to now.  Necessary before forces change; until then the work is that of
   /// constant forces, and follows from the positions alone.
-  void settle(const Particles<Dim>& points);
+  template <class T> void settle(const Particles<Dim, T>& points);
   /// Whether the forces change within the present stage, so that every step has to be settled.
   bool vary() const { return vary_; }
 
  private:
   /// sum m x by region
-  std::vector<Vec<Dim>> moments(const Particles<Dim>& points) const;
+  template <class T> std::vector<Vec<Dim>> moments(const Particles<Dim, T>& points) const;
   Real work_at(const std::vector<Vec<Dim>>& moments) const;
   Vec<Dim> force(std::size_t region) const;
 

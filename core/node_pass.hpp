@@ -11,36 +11,38 @@
 namespace scarp {
 
 /// One number for each node of a run.
-using RunValues = std::array<Real, CellOrder<2>::NodeRun::most>;
+template <class T> using RunValuesOf = std::array<T, CellOrder<2>::NodeRun::most>;
 
 /// Adds up the lines of the strips that reach the nodes of a run.
 template <int Dim, class Shape>
 [[gnu::always_inline]] inline void add_up(const State<Dim, Shape>& state, const auto& run,
                                           const typename StripSums<Dim, Shape>::Lines& lines,
-                                          RunValues& sum) {
+                                          RunValuesOf<typename Shape::Number>& sum) {
   for (std::size_t k = run.first_part; k < run.end_part; ++k) {
     const auto& part = state.order.part(k);
-    const Real* from = &lines[part.line][part.entry];
-    Real* to = &sum[static_cast<std::size_t>(part.node - run.node)];
+    const auto* from = &lines[part.line][part.entry];
+    auto* to = &sum[static_cast<std::size_t>(part.node - run.node)];
     for (std::size_t n = 0; n < part.count; ++n) to[n] += from[n];
   }
 }
 
 /// Applies to the velocities of a run's nodes what acts on each alone.
-template <int Dim, class Apply>
-void change_velocities(Nodes<Dim>& nodes, const auto& run, Apply&& apply) {
+template <int Dim, class T, class Apply>
+void change_velocities(Nodes<Dim, T>& nodes, const auto& run, Apply&& apply) {
   for (std::size_t k = 0; k < run.count; ++k) {
     const int index = run.node + static_cast<int>(k);
     Vec<Dim> v;
     for (std::size_t i = 0; i < Dim; ++i) v[i] = nodes.v[i][static_cast<std::size_t>(index)];
     apply(index, v);
-    for (std::size_t i = 0; i < Dim; ++i) nodes.v[i][static_cast<std::size_t>(index)] = v[i];
+    for (std::size_t i = 0; i < Dim; ++i)
+      nodes.v[i][static_cast<std::size_t>(index)] = static_cast<T>(v[i]);
   }
 }
 
 /// Takes constrained components away, and what friction sides do not let through: as in every
 /// mapping, since position and strain see one velocity.
-template <int Dim> void constrain(Nodes<Dim>& nodes, const Walls<Dim>& walls, const auto& run) {
+template <int Dim, class T>
+void constrain(Nodes<Dim, T>& nodes, const Walls<Dim>& walls, const auto& run) {
   if (!walls.touch(run.node, run.count)) return;
   change_velocities(nodes, run, [&](int index, Vec<Dim>& v) {
     walls.constrain(index, v);
@@ -51,12 +53,13 @@ template <int Dim> void constrain(Nodes<Dim>& nodes, const Walls<Dim>& walls, co
 /// (m v)_I from the strips' sums, v_I = (m v)_I / m_I.
 template <int Dim, class Shape>
 void find_velocities(State<Dim, Shape>& state, const auto& run, std::size_t first) {
-  Nodes<Dim>& nodes = state.nodal.nodes;
+  using T = typename Shape::Number;
+  Nodes<Dim, T>& nodes = state.nodal.nodes;
   for (std::size_t i = 0; i < Dim; ++i) {
-    RunValues mv = {};
+    RunValuesOf<T> mv = {};
     add_up(state, run, state.nodal.sums.mv[i], mv);
-    const Real* inv_m = &nodes.inv_m[i][first];
-    Real* v = &nodes.v[i][first];
+    const T* inv_m = &nodes.inv_m[i][first];
+    T* v = &nodes.v[i][first];
     for (std::size_t k = 0; k < run.count; ++k) v[k] = mv[k] * inv_m[k];
   }
 }
@@ -68,7 +71,8 @@ void find_velocities(State<Dim, Shape>& state, const auto& run, std::size_t firs
 /// its gradient does not: no step would be short enough.
 template <int Dim, class Shape>
 void mirror_inertia(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& run) {
-  Nodes<Dim>& nodes = state.nodal.nodes;
+  using T = typename Shape::Number;
+  Nodes<Dim, T>& nodes = state.nodal.nodes;
   for (std::size_t k = 0; k < run.count; ++k) {
     const int index = run.node + static_cast<int>(k);
     const auto* mirror = walls.mirror(index);
@@ -90,7 +94,8 @@ void mirror_inertia(State<Dim, Shape>& state, const Walls<Dim>& walls, const aut
         }
         if (moves) mass += nodes.m[static_cast<std::size_t>(node)];
       }
-      nodes.inv_m[i][static_cast<std::size_t>(index)] = mass > 0.0 ? 1.0 / mass : 0.0;
+      nodes.inv_m[i][static_cast<std::size_t>(index)] =
+          static_cast<T>(mass > 0.0 ? 1.0 / mass : 0.0);
     }
   }
 }
@@ -98,23 +103,25 @@ void mirror_inertia(State<Dim, Shape>& state, const Walls<Dim>& walls, const aut
 /// m_I and (m v)_I, and v_I under the constraints.
 template <int Dim, class Shape>
 void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  Nodes<Dim>& nodes = state.nodal.nodes;
-  if (walls.have_mirrors()) std::ranges::fill(nodes.m, 0.0); // inactive ones are asked for as well
+  using T = typename Shape::Number;
+  Nodes<Dim, T>& nodes = state.nodal.nodes;
+  if (walls.have_mirrors()) std::ranges::fill(nodes.m, T(0)); // inactive ones are asked for as well
   for_each_node_run(state, [&](const auto& run, std::size_t) {
     const auto first = static_cast<std::size_t>(run.node);
-    RunValues m = {};
+    RunValuesOf<T> m = {};
     add_up(state, run, state.nodal.sums.m, m);
     for (std::size_t k = 0; k < run.count; ++k) {
       nodes.m[first + k] = m[k];
-      const Real inverse = 1.0 / m[k];
-      for (std::size_t i = 0; i < Dim; ++i) nodes.inv_m[i][first + k] = m[k] > 0.0 ? inverse : 0.0;
+      const T inverse = T(1) / m[k];
+      for (std::size_t i = 0; i < Dim; ++i) nodes.inv_m[i][first + k] = m[k] > 0 ? inverse : T(0);
     }
     if (state.nodal.tracks_fraction) {
-      RunValues V0 = {};
+      RunValuesOf<T> V0 = {};
       add_up(state, run, state.nodal.sums.V0, V0);
       for (std::size_t k = 0; k < run.count; ++k) {
         const Real volume = state.nodal.volume[first + k]; // 0: beyond the grid; such are full
-        nodes.fraction[first + k] = volume > 0.0 && V0[k] > 0.0 ? V0[k] / volume : 1.0;
+        nodes.fraction[first + k] =
+            static_cast<T>(volume > 0.0 && V0[k] > 0 ? V0[k] / volume : 1.0);
       }
     }
     if (walls.have_mirrors()) return; // their masses need those of the nodes beside them
@@ -147,31 +154,33 @@ template <int Dim> Real taken_work(const Vec<Dim>& before, const Vec<Dim>& after
 template <int Dim, class Shape>
 void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
                            const std::type_identity_t<Vec<Dim>>& gravity, Real damping, Real dt) {
-  Nodes<Dim>& nodes = state.nodal.nodes;
+  using T = typename Shape::Number;
+  Nodes<Dim, T>& nodes = state.nodal.nodes;
   state.nodal.damped.assign(state.order.node_runs().size(), 0.0);
   state.nodal.rubbed.assign(state.order.node_runs().size(), 0.0);
   for_each_node_run(state, [&](const auto& run, std::size_t number) {
     const auto first = static_cast<std::size_t>(run.node);
-    std::array<RunValues, Dim> before, drag = {};
+    std::array<RunValuesOf<T>, Dim> before, drag = {};
     for (std::size_t i = 0; i < Dim; ++i) {
-      RunValues force = {};
+      RunValuesOf<T> force = {};
       add_up(state, run, state.nodal.sums.f[i], force);
-      const Real* m = &nodes.m[first];
-      const Real* inv_m = &nodes.inv_m[i][first];
-      Real* f = &nodes.f[i][first];
-      Real* v = &nodes.v[i][first];
+      const T* m = &nodes.m[first];
+      const T* inv_m = &nodes.inv_m[i][first];
+      T* f = &nodes.f[i][first];
+      T* v = &nodes.v[i][first];
+      const auto b = static_cast<T>(gravity[i]), step = static_cast<T>(dt);
       for (std::size_t k = 0; k < run.count; ++k) {
-        f[k] = force[k] + m[k] * gravity[i];
+        f[k] = force[k] + m[k] * b;
         before[i][k] = v[k];
       }
       if (damping > 0.0)
         for (std::size_t k = 0; k < run.count; ++k)
-          drag[i][k] = v[k] != 0.0 ? -damping * std::copysign(f[k], v[k]) : 0.0;
-      for (std::size_t k = 0; k < run.count; ++k) v[k] += dt * inv_m[k] * (f[k] + drag[i][k]);
+          drag[i][k] = v[k] != 0 ? static_cast<T>(-damping) * std::copysign(f[k], v[k]) : T(0);
+      for (std::size_t k = 0; k < run.count; ++k) v[k] += step * inv_m[k] * (f[k] + drag[i][k]);
     }
     const bool at_walls = walls.touch(run.node, run.count);
     if (damping > 0.0 || at_walls) {
-      const auto at = [](const std::array<RunValues, Dim>& values, std::size_t k) {
+      const auto at = [](const std::array<RunValuesOf<T>, Dim>& values, std::size_t k) {
         Vec<Dim> value;
         for (std::size_t i = 0; i < Dim; ++i) value[i] = values[i][k];
         return value;
@@ -193,8 +202,8 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       });
     }
     for (std::size_t i = 0; i < Dim; ++i) {
-      const Real* v = &nodes.v[i][first];
-      Real* dv = &nodes.dv[i][first];
+      const T* v = &nodes.v[i][first];
+      T* dv = &nodes.dv[i][first];
       for (std::size_t k = 0; k < run.count; ++k) dv[k] = v[k] - before[i][k];
     }
   });

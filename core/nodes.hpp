@@ -14,6 +14,7 @@ namespace scarp {
 /// along x.  The nodes add up the strips' lines in a fixed order, so no two threads ever write to
 /// the same place.
 template <int Dim, class Shape> struct StripSums {
+  using Column = ColumnOf<typename Shape::Number>;
   static constexpr std::size_t lines = Shape::nodes / Shape::width;
   using Lines = std::array<Column, lines>;
 
@@ -36,11 +37,13 @@ template <int Dim, class Shape> struct StripSums {
 /// One number for each node of a strip's cells, cell after cell.
 template <int Dim, class Shape> class StripSum {
  public:
+  using Number = typename Shape::Number;
+
   /// Adds a cell's; after its `last` cell the strip is complete.
-  [[gnu::always_inline]] void add(const NodeLanes<Shape::nodes>& cell,
+  [[gnu::always_inline]] void add(const NodeLanes<Shape::nodes, Number>& cell,
                                   typename StripSums<Dim, Shape>::Lines& to, std::size_t entry,
                                   bool last) {
-    const std::array<Real, Shape::nodes> sums = cell.values();
+    const std::array<Number, Shape::nodes> sums = cell.values();
     for (std::size_t line = 0; line < lines; ++line) {
       to[line][entry] = carry_[0][line] + sums[line];
       for (std::size_t k = 1; k < columns; ++k)
@@ -49,7 +52,7 @@ template <int Dim, class Shape> class StripSum {
       if (!last) continue;
       for (std::size_t k = 0; k < columns; ++k) {
         to[line][entry + 1 + k] = carry_[k][line];
-        carry_[k][line] = 0.0;
+        carry_[k][line] = 0;
       }
     }
   }
@@ -57,11 +60,12 @@ template <int Dim, class Shape> class StripSum {
  private:
   static constexpr std::size_t lines = StripSums<Dim, Shape>::lines;
   static constexpr std::size_t columns = Shape::width - 1; ///< that a cell shares with the next
-  std::array<std::array<Real, lines>, columns> carry_ = {};
+  std::array<std::array<Number, lines>, columns> carry_ = {};
 };
 
 /// By node index; only active nodes are meaningful.
-template <int Dim> struct Nodes {
+template <int Dim, class T = Real> struct Nodes {
+  using Column = ColumnOf<T>;
   Column m; ///< kg
   /// 1/kg, of what moves with each component; 0 without mass
   std::array<Column, Dim> inv_m;
@@ -73,7 +77,7 @@ template <int Dim> struct Nodes {
 
 template <int Dim, class Shape> struct GridState {
   StripSums<Dim, Shape> sums;
-  Nodes<Dim> nodes;
+  Nodes<Dim, typename Shape::Number> nodes;
   /// J, taken in this step by local damping and by friction on walls; by run of nodes
   Column damped, rubbed;
 

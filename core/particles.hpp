@@ -5,19 +5,26 @@
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace scarp {
 
-using Column = std::vector<Real>;
+/// A number for every point, or for every node.
+template <class T> using ColumnOf = std::vector<T>;
+using Column = ColumnOf<Real>;
 
 /// An id that no material point has.
 inline constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
 /// Row p of every column belongs to one material point.  Rows are kept sorted by cell; `id` is the
-/// point's place in the order of creation and never changes.
-template <int Dim> struct Particles {
-  std::array<Column, Dim> x;                ///< m, position
+/// point's place in the order of creation and never changes.  Positions are doubles whatever T is,
+/// so that accuracy does not depend on where the origin lies; the passes take from them where a
+/// point lies in its cell.
+template <int Dim, class T = Real> struct Particles {
+  using Column = ColumnOf<T>;
+
+  std::array<ColumnOf<Real>, Dim> x;        ///< m, position
   std::array<Column, Dim> v;                ///< m/s
   std::array<Column, Dim> dx;               ///< m, displacement of the current step
   std::array<Column, tensor_size<Dim>> tau; ///< Pa, Kirchhoff stress (see core/stress_pass.hpp)
@@ -33,10 +40,30 @@ template <int Dim> struct Particles {
   std::vector<std::uint8_t> material; ///< index into Scene::materials
   std::vector<std::uint8_t> region;   ///< index into Scene::regions
 
+  Particles() = default;
+  /// The same points with numbers of another type.
+  template <class U>
+  requires(!std::is_same_v<T, U>) explicit Particles(const Particles<Dim, U>& other)
+      : x(other.x), id(other.id), material(other.material), region(other.region) {
+    const auto take = [](Column& column, const ColumnOf<U>& from) {
+      column.assign(from.begin(), from.end());
+    };
+    for (std::size_t i = 0; i < Dim; ++i) take(v[i], other.v[i]);
+    for (std::size_t i = 0; i < Dim; ++i) take(dx[i], other.dx[i]);
+    for (std::size_t i = 0; i < tau.size(); ++i) take(tau[i], other.tau[i]);
+    for (std::size_t i = 0; i < C.size(); ++i) take(C[i], other.C[i]);
+    take(m, other.m);
+    take(V0, other.V0);
+    take(J, other.J);
+    take(gap, other.gap);
+    take(plastic_strain, other.plastic_strain);
+    take(dissipation, other.dissipation);
+  }
+
   std::size_t size() const { return id.size(); }
 
   Vec<Dim> position(std::size_t p) const { return at(x, p); }
-  Vec<Dim> velocity(std::size_t p) const { return at(v, p); }
+  Vec<Dim, T> velocity(std::size_t p) const { return at(v, p); }
 
   bool affine() const { return !C[0].empty(); }
 
@@ -60,8 +87,9 @@ template <int Dim> struct Particles {
   }
 
  private:
-  static Vec<Dim> at(const std::array<Column, Dim>& columns, std::size_t p) {
-    Vec<Dim> value;
+  template <class Number>
+  static Vec<Dim, Number> at(const std::array<ColumnOf<Number>, Dim>& columns, std::size_t p) {
+    Vec<Dim, Number> value;
     for (std::size_t i = 0; i < Dim; ++i) value[i] = columns[i][p];
     return value;
   }

@@ -6,17 +6,17 @@
 namespace scarp {
 
 /// Gives points k to end, those of a cell, their mean of the mean stress: sum V0 p / sum V0.
-template <int Dim>
-void average_mean_stress(BlockLines<tensor_size<Dim>>& V_tau, const Real* V0, std::size_t begin,
+template <int Dim, class T>
+void average_mean_stress(BlockLines<tensor_size<Dim>, T>& V_tau, const T* V0, std::size_t begin,
                          std::size_t end) {
-  Real sum = 0.0, weight = 0.0;
+  T sum = 0, weight = 0;
   const auto trace_at = [&](std::size_t k) { return V_tau[0][k] + V_tau[1][k] + V_tau[2][k]; };
   for (std::size_t k = begin; k < end; ++k) {
     sum += trace_at(k);
     weight += V0[k];
   }
   for (std::size_t k = begin; k < end; ++k) {
-    const Real excess = (V0[k] * (sum / weight) - trace_at(k)) * (1.0 / 3.0);
+    const T excess = (V0[k] * (sum / weight) - trace_at(k)) * number<T>(1.0 / 3.0);
     for (std::size_t i = 0; i < 3; ++i) V_tau[i][k] += excess;
   }
 }
@@ -37,21 +37,23 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
   if constexpr (!has_lanes<Shape>) {
     reference::scatter_pass<Dim, terms>(state, own_force);
   } else {
-    if (state.particles.affine()) return reference::scatter_pass<Dim, terms>(state, own_force);
+    using T = typename Shape::Number;
+    if constexpr (std::is_same_v<T, Real>)
+      if (state.particles.affine()) return reference::scatter_pass<Dim, terms>(state, own_force);
     constexpr bool momentum = terms != Terms::force;
     constexpr bool force = terms != Terms::mass_momentum;
-    using AtNodes = NodeLanes<Shape::nodes>;
+    using AtNodes = NodeLanes<Shape::nodes, T>;
     StripSums<Dim, Shape>& sums = state.nodal.sums;
     sums.resize(state.order.entries(), state.nodal.tracks_fraction);
-    const Particles<Dim>& points = state.particles;
+    const Particles<Dim, T>& points = state.particles;
     const bool tracks_fraction = state.nodal.tracks_fraction;
     const bool regions_differ = !own_force.empty();
     const std::int64_t blocks = block_count(state);
 #pragma omp parallel
     {
-      BlockLines<Dim> xi, m_v;
-      BlockLines<1> m_p, V0_p;
-      BlockLines<tensor_size<Dim>> V_tau;
+      BlockLines<Dim, T> xi, m_v;
+      BlockLines<1, T> m_p, V0_p;
+      BlockLines<tensor_size<Dim>, T> V_tau;
 #pragma omp for schedule(static)
       for (std::int64_t b = 0; b < blocks; ++b) {
         const CellBlock block = cell_block(state, b);
@@ -60,11 +62,11 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
         m_p.resize(block.size);
         V0_p.resize(block.size);
         V_tau.resize(block.size);
-        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
-          const RowPack rows = block.pack(k);
-          const std::array<RealPack, Dim> place = local_position(state, rows);
-          const RealPack m = rows.load(points.m);
-          const RealPack V0 = rows.load(points.V0);
+        for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
+          const RowPack<T> rows = block.pack<T>(k);
+          const std::array<Pack<T>, Dim> place = local_position(state, rows);
+          const Pack<T> m = rows.load(points.m);
+          const Pack<T> V0 = rows.load(points.V0);
           store_lanes(m, m_p[0] + k);
           store_lanes(V0, V0_p[0] + k);
           for (std::size_t i = 0; i < Dim; ++i) {
@@ -83,13 +85,13 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
           const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
           const StencilCell<Dim> cell = stencil_cell(state, slot);
           const typename Shape::Lanes functions(cell);
-          if (force && state.averages_volume) average_mean_stress<Dim>(V_tau, V0_p[0], k, end);
+          if (force && state.averages_volume) average_mean_stress<Dim, T>(V_tau, V0_p[0], k, end);
           AtNodes m, V0;
           std::array<AtNodes, Dim> mv, f;
           for (; k < end; ++k) {
-            Vec<Dim> place;
+            Vec<Dim, T> place;
             for (std::size_t i = 0; i < Dim; ++i) place[i] = xi[i][k];
-            const StencilLanes<Dim, Shape::nodes> at = functions(place);
+            const StencilLanes<Dim, Shape::nodes, T> at = functions(place);
             if constexpr (momentum) {
               m += at.N * m_p[0][k];
               if (tracks_fraction) V0 += at.N * V0_p[0][k];
@@ -102,7 +104,8 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
                       at.dN[j] * V_tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))][k];
               if (regions_differ) // what is added here is multiplied by - 1/h below
                 for (std::size_t i = 0; i < Dim; ++i)
-                  f[i] += at.N * (-cell.h * m_p[0][k] * own_force[points.region[block.rows[k]]][i]);
+                  f[i] += at.N * (m_p[0][k] *
+                                  number<T>(-cell.h * own_force[points.region[block.rows[k]]][i]));
             }
           }
           const std::size_t entry = state.order.place(slot).entry;
@@ -114,7 +117,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
           }
           if constexpr (force)
             for (std::size_t i = 0; i < Dim; ++i)
-              f_strip[i].add(f[i] * -cell.inv_h, sums.f[i], entry, last);
+              f_strip[i].add(f[i] * number<T>(-cell.inv_h), sums.f[i], entry, last);
         }
       }
     }

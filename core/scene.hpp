@@ -104,6 +104,9 @@ enum class VelocityTransfer { flip, apic, aflip };
 /// The rate of volume of a point: its own, or the mean of its cell (core/stress_pass.hpp).
 enum class VolumeRate { point, cell_average };
 
+/// Of what points and nodes carry.  Positions, time and energies are double in both.
+enum class Precision { double_precision, single };
+
 /// Combinations of the options of Method.  fidelity: as published for landslides (linear functions,
 /// MUSL, FLIP; Wu 2017). accurate: quadratic B-splines and APIC, which do not lock and do not blow
 /// up (README, "Stress tests").
@@ -115,6 +118,7 @@ struct Method {
   ShapeFunctions shape = ShapeFunctions::linear;
   VolumeRate volume_rate = VolumeRate::point;
   VelocityTransfer transfer = VelocityTransfer::flip;
+  Precision precision = Precision::double_precision;
   /// Part of FLIP in the velocity update, 1 - flip of PIC; no part of it in VelocityTransfer::apic.
   double flip = 1.0;
   double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1

@@ -73,16 +73,18 @@ template <int Dim> constexpr std::size_t gradient_place(std::size_t i, std::size
 }
 
 template <int Dim, class Shape> class SimulationOf final : public Simulation {
+  using Number = typename Shape::Number;
+
  public:
   SimulationOf(const Scene& scene, const Snapshot* start)
       : scene_(scene), stages_(stages_of(scene)),
-        state_(scene.grid, fill_regions<Dim>(scene), remembers_gaps(scene)),
+        state_(scene.grid, Particles<Dim, Number>(fill_regions<Dim>(scene)), remembers_gaps(scene)),
         walls_(scene, state_.grid), loads_(scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
     start_positions_ = positions();
     state_.averages_volume = scene.method.volume_rate == VolumeRate::cell_average;
     if (scene.method.transfer != VelocityTransfer::flip)
-      for (Column& column : state_.particles.C) column.assign(points(), 0.0);
+      for (auto& column : state_.particles.C) column.assign(points(), Number(0));
     const auto continued =
         std::ranges::find_if(stages_, [](const Stage& stage) { return !stage.begin_from.empty(); });
     if ((continued != stages_.end()) != (start != nullptr))
@@ -215,7 +217,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       material_of_region_.push_back(static_cast<std::uint8_t>(
           material_index(scene_, region, own ? region.material : changed->second)));
     }
-    Particles<Dim>& points = state_.particles;
+    auto& points = state_.particles;
     for (std::size_t p = 0; p < points.size(); ++p)
       points.material[p] = material_of_region_[points.region[p]];
   }
@@ -264,7 +266,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   void move_points() {
-    Particles<Dim>& points = state_.particles;
+    auto& points = state_.particles;
     const auto n = static_cast<std::int64_t>(points.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t k = 0; k < n; ++k)
@@ -274,7 +276,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
 
   Real speed(std::size_t p) const {
     Real v2 = 0.0;
-    for (const Column& v : state_.particles.v) v2 += v[p] * v[p];
+    for (const auto& v : state_.particles.v) v2 += v[p] * v[p];
     return std::sqrt(v2);
   }
 
@@ -333,7 +335,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
 };
 
 template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const Snapshot& start) {
-  Particles<Dim>& points = state_.particles;
+  auto& points = state_.particles;
   const std::size_t n = points.size();
   if (start.position.size() != 3 * n)
     throw SetupError("the state to begin from has " + std::to_string(start.position.size() / 3) +
@@ -357,22 +359,24 @@ template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const S
     for (int a = 0; a < Dim; ++a) {
       const auto i = static_cast<std::size_t>(a);
       points.x[i][p] = start.position[3 * p + scene_axis<Dim>(a)];
-      points.v[i][p] = start.velocity[3 * p + scene_axis<Dim>(a)];
+      points.v[i][p] = static_cast<Number>(start.velocity[3 * p + scene_axis<Dim>(a)]);
     }
-    points.J[p] = start.volume[p] / points.V0[p];
+    points.J[p] = static_cast<Number>(start.volume[p] / points.V0[p]);
     for (std::size_t i = 0; i < points.tau.size(); ++i)
-      points.tau[i][p] = points.J[p] * start.stress[6 * p + stress_place<Dim>[i]];
+      points.tau[i][p] =
+          static_cast<Number>(points.J[p] * start.stress[6 * p + stress_place<Dim>[i]]);
     if (points.affine())
       for (std::size_t i = 0; i < Dim; ++i)
         for (std::size_t j = 0; j < Dim; ++j)
-          points.C[Dim * i + j][p] = start.velocity_gradient[9 * p + gradient_place<Dim>(i, j)];
-    points.plastic_strain[p] = start.plastic_strain[p];
-    points.gap[p] = start.gap[p];
+          points.C[Dim * i + j][p] =
+              static_cast<Number>(start.velocity_gradient[9 * p + gradient_place<Dim>(i, j)]);
+    points.plastic_strain[p] = static_cast<Number>(start.plastic_strain[p]);
+    points.gap[p] = static_cast<Number>(start.gap[p]);
   }
 }
 
 template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() const {
-  const Particles<Dim>& points = state_.particles;
+  const auto& points = state_.particles;
   Energies now;
   for (std::size_t p = 0; p < points.size(); ++p) {
     Real v2 = 0.0;
@@ -392,10 +396,10 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
     now.strain += points.V0[p] *
                   (mean * (0.5 * mean / moduli.bulk + points.gap[p]) + 0.25 * s2 / moduli.shear);
   }
-  const Nodes<Dim>& nodes = state_.nodal.nodes;
+  const auto& nodes = state_.nodal.nodes;
   for (const auto& run : state_.order.node_runs())
     for (std::size_t k = static_cast<std::size_t>(run.node), end = k + run.count; k < end; ++k)
-      for (const Column& v : nodes.v) now.grid_kinetic += 0.5 * nodes.m[k] * v[k] * v[k];
+      for (const auto& v : nodes.v) now.grid_kinetic += 0.5 * nodes.m[k] * v[k] * v[k];
   now.damping = damping_work_;
   now.wall_friction = friction_work_;
   now.gravitational = loads_.potential(points);
@@ -406,7 +410,7 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
 }
 
 template <int Dim, class Shape> std::vector<double> SimulationOf<Dim, Shape>::positions() const {
-  const Particles<Dim>& points = state_.particles;
+  const auto& points = state_.particles;
   std::vector<double> values(3 * points.size(), 0.0);
   for (std::size_t p = 0; p < points.size(); ++p)
     for (int a = 0; a < Dim; ++a)
@@ -416,7 +420,7 @@ template <int Dim, class Shape> std::vector<double> SimulationOf<Dim, Shape>::po
 
 template <int Dim, class Shape>
 std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) const {
-  const Particles<Dim>& points = state_.particles;
+  const auto& points = state_.particles;
   const auto components = static_cast<std::size_t>(field_info(name).components);
   std::vector<double> values(components * points.size(), 0.0);
 
@@ -509,6 +513,8 @@ template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::
        method.transfer == VelocityTransfer::flip ? "velocities" : "velocities and their gradients"},
       {"rate of volume",
        state_.averages_volume ? "mean of the cell" : "of the point, not averaged"},
+      {"numbers",
+       std::is_same_v<Number, Real> ? "double precision" : "single precision, positions double"},
       {"plasticity", plastic ? "Drucker-Prager" : "none, skipped"},
       {"gaps", remembers_gaps(scene_) ? "remembered: opened material has to close before it bears"
                                       : "forgotten, not stored"},
@@ -522,10 +528,11 @@ template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::
   };
 }
 
-template <template <int> class Shape>
+template <template <int, class> class Shape, class Number = Real>
 std::unique_ptr<Simulation> make_simulation_with(const Scene& scene, const Snapshot* start) {
-  if (scene.grid.dimension == 2) return std::make_unique<SimulationOf<2, Shape<2>>>(scene, start);
-  return std::make_unique<SimulationOf<3, Shape<3>>>(scene, start);
+  if (scene.grid.dimension == 2)
+    return std::make_unique<SimulationOf<2, Shape<2, Number>>>(scene, start);
+  return std::make_unique<SimulationOf<3, Shape<3, Number>>>(scene, start);
 }
 
 } // namespace scarp

@@ -9,25 +9,26 @@
 namespace scarp {
 
 /// Cell i, a knot span, reaches control points i, i + 1, i + 2.
-template <int Dim> struct SplineShape : Stencil<Dim, 3> {
+template <int Dim, class Number_ = Real> struct SplineShape : Stencil<Dim, 3, Number_> {
   static constexpr NodeLayout layout = NodeLayout::spline;
 
   SplineShape(const Vec<Dim>& xi, const StencilCell<Dim>& cell)
-      : Stencil<Dim, 3>(along(xi, cell)) {}
+      : Stencil<Dim, 3, Number_>(along(xi, cell)) {}
 
   template <class T>
   static AlongAxes<Dim, 3, T> along(const std::array<T, Dim>& xi, const StencilCell<Dim>& cell) {
     AlongAxes<Dim, 3, T> along;
     auto& [w, dw] = along;
     for (std::size_t a = 0; a < Dim; ++a) {
-      const Real below = cell.first[a] ? 1.0 : 0.5;
-      const Real above = cell.last[a] ? 1.0 : 0.5;
-      const T left = 1.0 - xi[a];
+      const auto below = number<T>(cell.first[a] ? 1.0 : 0.5);
+      const auto above = number<T>(cell.last[a] ? 1.0 : 0.5);
+      const auto twice = number<T>(2.0 * cell.inv_h);
+      const T left = 1.0F - xi[a];
       w[a][0] = below * left * left;
       w[a][2] = above * xi[a] * xi[a];
-      w[a][1] = 1.0 - w[a][0] - w[a][2];
-      dw[a][0] = -2.0 * below * left * cell.inv_h;
-      dw[a][2] = 2.0 * above * xi[a] * cell.inv_h;
+      w[a][1] = 1.0F - w[a][0] - w[a][2];
+      dw[a][0] = -twice * below * left;
+      dw[a][2] = twice * above * xi[a];
       dw[a][1] = -dw[a][0] - dw[a][2];
     }
     return along;
@@ -58,7 +59,8 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
         axis_[a] = &tables[a][(cell.first[a] ? 1U : 0U) + (cell.last[a] ? 2U : 0U)];
     }
 
-    [[gnu::always_inline]] StencilLanes<Dim, power(3, Dim)> operator()(const Vec<Dim>& xi) const {
+    [[gnu::always_inline]] StencilLanes<Dim, power(3, Dim), Number_>
+    operator()(const Vec<Dim, Number_>& xi) const {
       const auto term = [&](std::size_t a, std::size_t k) { return AtNodes((*axis_[a])[k]); };
       const auto line = [&](std::size_t a, std::size_t k) {
         return term(a, k) + term(a, k + 1) * xi[a];
@@ -69,7 +71,7 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
     }
 
    private:
-    using AtNodes = NodeLanes<power(3, Dim)>;
+    using AtNodes = NodeLanes<power(3, Dim), Number_>;
     /// a, b, c, d, e, and of the derivative: b c + a d, 2 b d
     using Coefficients = std::array<typename AtNodes::Table, 7>;
 
@@ -88,7 +90,8 @@ template <int Dim> struct SplineShape : Stencil<Dim, 3> {
             const std::size_t node = node_in_lane(lane, Stencil<Dim, 3>::nodes, 3);
             const auto& [a, b, c, d, e] = of_place[Stencil<Dim, 3>::places(node)[axis]];
             const std::array<Real, 7> values = {a, b, c, d, e, b * c + a * d, 2.0 * b * d};
-            for (std::size_t k = 0; k < values.size(); ++k) all[axis][side][k][lane] = values[k];
+            for (std::size_t k = 0; k < values.size(); ++k)
+              all[axis][side][k][lane] = static_cast<Number_>(values[k]);
           }
         }
       return all;

@@ -16,17 +16,18 @@ namespace scarp {
 
 template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   using Shape = ShapeFunctions;
+  using Number = typename Shape::Number;
   static constexpr std::size_t corners = Shape::nodes;
 
   GridIndex<Dim> grid;
   Real half_point; ///< half the length of a point, in cells
-  Particles<Dim> particles;
+  Particles<Dim, Number> particles;
   CellOrder<Dim, Shape::nodes> order;
   GridState<Dim, Shape> nodal;
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
 
-  State(const Grid& scene_grid, Particles<Dim> points, bool tracks_fraction = false)
+  State(const Grid& scene_grid, Particles<Dim, Number> points, bool tracks_fraction = false)
       : grid(scene_grid, Shape::layout), half_point(0.5 / scene_grid.points_per_cell),
         particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {}
   State(const State&) = delete; // `order` points to `grid`
@@ -47,8 +48,8 @@ struct CellBlock {
   const std::uint32_t* rows; ///< of Particles
   std::size_t size;          ///< number of rows
 
-  [[gnu::always_inline]] RowPack pack(std::size_t k) const {
-    return {rows + k, std::min(RowPack::capacity, size - k)};
+  template <class T> [[gnu::always_inline]] RowPack<T> pack(std::size_t k) const {
+    return {rows + k, std::min(RowPack<T>::capacity, size - k)};
   }
 };
 
@@ -67,14 +68,15 @@ CellBlock cell_block(const State<Dim, Shape>& state, std::int64_t index) {
 }
 
 /// Where the rows of a pack lie in their cells, each component in [0, 1).
-template <int Dim, class Shape>
-[[gnu::always_inline]] inline std::array<RealPack, Dim>
-local_position(const State<Dim, Shape>& state, const RowPack& rows) {
-  std::array<RealPack, Dim> xi;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    const RealPack scaled = state.grid.scaled(rows.load(state.particles.x[i]), i);
-    xi[i] = scaled - floor(scaled);
-  }
+template <int Dim, class Shape, class T>
+[[gnu::always_inline]] inline std::array<Pack<T>, Dim>
+local_position(const State<Dim, Shape>& state, const RowPack<T>& rows) {
+  std::array<Pack<T>, Dim> xi;
+  for (std::size_t i = 0; i < Dim; ++i)
+    xi[i] = rows.map(state.particles.x[i], [&](const auto& x) {
+      const auto scaled = state.grid.scaled(x, i);
+      return scaled - floor(scaled);
+    });
   return xi;
 }
 
@@ -113,7 +115,7 @@ template <int Dim, class Shape> class Corners {
   }
 
   /// By corner, of the cell with this lowest node.
-  [[gnu::always_inline]] auto of(const Column& nodes, int first_node) const {
+  [[gnu::always_inline]] auto of(const auto& nodes, int first_node) const {
     return [from = nodes.data() + first_node, this](std::size_t corner) {
       return from[lines_[corner / Shape::width] +
                   static_cast<std::ptrdiff_t>(corner % Shape::width)];
@@ -133,7 +135,7 @@ template <int Dim, class Shape>
 }
 
 /// Pa, of the Kirchhoff stress.
-template <int Dim> Real mean_stress(const Particles<Dim>& points, std::size_t p) {
+template <int Dim, class T> Real mean_stress(const Particles<Dim, T>& points, std::size_t p) {
   return (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) * (1.0 / 3.0);
 }
 

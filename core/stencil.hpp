@@ -63,7 +63,8 @@ template <class T, std::size_t width, std::size_t Dim, class Value>
 }
 
 /// N and grad N (1/m) at the width^Dim nodes of a cell, x fastest.
-template <int Dim, int width_> struct Stencil {
+template <int Dim, int width_, class T = Real> struct Stencil {
+  using Number = T; ///< of the passes in lanes; at one point the functions are Real
   static constexpr int width = width_;
   static constexpr int nodes = power(width, Dim);
   using Along = typename AlongAxes<Dim, width>::Values;
@@ -105,9 +106,9 @@ constexpr std::size_t node_in_lane(std::size_t lane, std::size_t nodes, std::siz
 }
 
 /// N and dN at one point, with a cell's nodes in the lanes of registers; dN in 1/cell.
-template <int Dim, int nodes> struct StencilLanes {
-  NodeLanes<nodes> N;
-  std::array<NodeLanes<nodes>, Dim> dN;
+template <int Dim, int nodes, class T> struct StencilLanes {
+  NodeLanes<nodes, T> N;
+  std::array<NodeLanes<nodes, T>, Dim> dN;
 
   /// Of the functions along the axes and their derivatives, at the nodes: w(axis), dw(axis).
   template <class Functions, class Derivatives>

@@ -28,28 +28,28 @@ template <int Dim, class T>
 [[gnu::always_inline]] inline void rotate(SymTensor<Dim, T>& tau,
                                           const std::array<T, Dim == 2 ? 1 : 3>& w) {
   if constexpr (Dim == 2) {
-    const T a = 0.5 * w[0]; // R = [[c, s], [-s, c]]
-    const T scale = 1.0 / (1.0 + a * a);
-    const T c = (1.0 - a * a) * scale;
-    const T s = 2.0 * a * scale;
-    const T mean = 0.5 * (tau[0] + tau[1]);
-    const T half = 0.5 * (tau[0] - tau[1]);
+    const T a = 0.5F * w[0]; // R = [[c, s], [-s, c]]
+    const T scale = 1.0F / (1.0F + a * a);
+    const T c = (1.0F - a * a) * scale;
+    const T s = 2.0F * a * scale;
+    const T mean = 0.5F * (tau[0] + tau[1]);
+    const T half = 0.5F * (tau[0] - tau[1]);
     const T cos2 = c * c - s * s;
-    const T sin2 = 2.0 * c * s;
+    const T sin2 = 2.0F * c * s;
     const T half_new = cos2 * half + sin2 * tau[3];
     tau[3] = cos2 * tau[3] - sin2 * half;
     tau[0] = mean + half_new;
     tau[1] = mean - half_new;
   } else {
-    const T a = 0.5 * w[0];
-    const T b = 0.5 * w[1];
-    const T c = 0.5 * w[2]; // A = W/2 = [[0, a, c], [-a, 0, b], [-c, -b, 0]]
-    const T scale = 2.0 / (1.0 + a * a + b * b + c * c);
+    const T a = 0.5F * w[0];
+    const T b = 0.5F * w[1];
+    const T c = 0.5F * w[2]; // A = W/2 = [[0, a, c], [-a, 0, b], [-c, -b, 0]]
+    const T scale = 2.0F / (1.0F + a * a + b * b + c * c);
     // A^2 = n n^T - |n|^2 I with the axis n = (b, -c, a); Cayley: R = I + scale (A + A^2)
     const Mat<3, T> R = {
-        {{1.0 - scale * (a * a + c * c), scale * (a - b * c), scale * (c + a * b)},
-         {scale * (-a - b * c), 1.0 - scale * (a * a + b * b), scale * (b - a * c)},
-         {scale * (a * b - c), scale * (-b - a * c), 1.0 - scale * (b * b + c * c)}}};
+        {{1.0F - scale * (a * a + c * c), scale * (a - b * c), scale * (c + a * b)},
+         {scale * (-a - b * c), 1.0F - scale * (a * a + b * b), scale * (b - a * c)},
+         {scale * (a * b - c), scale * (-b - a * c), 1.0F - scale * (b * b + c * c)}}};
     const Mat<3, T> S = {
         {{tau[0], tau[3], tau[5]}, {tau[3], tau[1], tau[4]}, {tau[5], tau[4], tau[2]}}};
     Mat<3, T> RS;
@@ -71,24 +71,26 @@ template <int Dim, class T = Real, class Law>
 update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
               const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation, Real dt,
               const ElasticModuli& moduli, const Law& law) {
+  const auto step = number<T>(dt), half_step = number<T>(0.5 * dt);
   const auto spin = [&](std::size_t i, std::size_t j) -> T {
-    return 0.5 * dt * (grad_v[i][j] - grad_v[j][i]);
+    return half_step * (grad_v[i][j] - grad_v[j][i]);
   };
   if constexpr (Dim == 2)
     rotate<2, T>(tau, {spin(0, 1)});
   else
     rotate<3, T>(tau, {spin(0, 1), spin(1, 2), spin(0, 2)});
 
-  T volumetric = 0.0;
-  for (std::size_t i = 0; i < Dim; ++i) volumetric += dt * grad_v[i][i];
-  const T lame =
-      (moduli.bulk - 2.0 / 3.0 * moduli.shear) * volumetric + moduli.bulk * dt * dilation;
+  T volumetric = 0.0F;
+  for (std::size_t i = 0; i < Dim; ++i) volumetric += step * grad_v[i][i];
+  const T lame = number<T>(moduli.bulk - 2.0 / 3.0 * moduli.shear) * volumetric +
+                 number<T>(moduli.bulk * dt) * dilation;
+  const auto shear = number<T>(moduli.shear * dt);
   for (std::size_t i = 0; i < 3; ++i) tau[i] += lame;
   for (std::size_t i = 0; i < Dim; ++i) {
-    tau[i] += 2.0 * moduli.shear * dt * grad_v[i][i];
+    tau[i] += 2.0F * shear * grad_v[i][i];
     for (std::size_t j = i + 1; j < Dim; ++j)
       tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))] +=
-          moduli.shear * dt * (grad_v[i][j] + grad_v[j][i]);
+          shear * (grad_v[i][j] + grad_v[j][i]);
   }
   return law.template operator()<Dim, T>(tau, gap, room);
 }
@@ -97,15 +99,15 @@ update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& roo
 template <int Dim, class T = Real, class Law>
 PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, Real dt,
                              const ElasticModuli& moduli, const Law& law) {
-  T gap = 0.0;
-  return update_stress<Dim, T>(tau, gap, T(0.0), grad_v, T(0.0), dt, moduli, law);
+  T gap = 0.0F;
+  return update_stress<Dim, T>(tau, gap, T(0.0F), grad_v, T(0.0F), dt, moduli, law);
 }
 
 /// What the points of a block of cells feel, line after line.
-template <int Dim> struct StrainRates {
-  BlockLines<Dim * Dim> grad_v; ///< 1/s, [Dim i + j] = d v_i / d x_j
-  BlockLines<1> dilation;       ///< 1/s, rate of volume beyond tr(grad_v)
-  BlockLines<1> fraction;       ///< -, if the law remembers gaps
+template <int Dim, class T> struct StrainRates {
+  BlockLines<Dim * Dim, T> grad_v; ///< 1/s, [Dim i + j] = d v_i / d x_j
+  BlockLines<1, T> dilation;       ///< 1/s, rate of volume beyond tr(grad_v)
+  BlockLines<1, T> fraction;       ///< -, if the law remembers gaps
 
   void resize(std::size_t rows) {
     grad_v.resize(rows);
@@ -115,15 +117,15 @@ template <int Dim> struct StrainRates {
 };
 
 /// grad v = sum_I v_I (x) grad N_I at the points of a block.
-template <int Dim, class Shape>
+template <int Dim, class Shape, class T>
 void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, bool opens,
-                       BlockLines<Dim>& xi, StrainRates<Dim>& rates) {
-  const Nodes<Dim>& nodes = state.nodal.nodes;
+                       BlockLines<Dim, T>& xi, StrainRates<Dim, T>& rates) {
+  const Nodes<Dim, T>& nodes = state.nodal.nodes;
   const Corners<Dim, Shape> corners(state);
   xi.resize(block.size);
   rates.resize(block.size);
-  for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
-    const std::array<RealPack, Dim> place = local_position(state, block.pack(k));
+  for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
+    const std::array<Pack<T>, Dim> place = local_position(state, block.pack<T>(k));
     for (std::size_t i = 0; i < Dim; ++i) store_lanes(place[i], xi[i] + k);
   }
 
@@ -133,8 +135,8 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
     const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
     const StencilCell<Dim> cell = stencil_cell(state, slot);
     const int node = state.order.place(slot).first_node;
-    for (std::size_t k = begin; k < end; k += RealPack::size()) {
-      std::array<RealPack, Dim> place;
+    for (std::size_t k = begin; k < end; k += Pack<T>::size()) {
+      std::array<Pack<T>, Dim> place;
       for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
       const auto along = Shape::along(place, cell);
       for (std::size_t j = 0; j < Dim; ++j) {
@@ -150,13 +152,13 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
 
     if (state.averages_volume) {
       const auto own_rate = [&](std::size_t k) {
-        Real sum = 0.0;
+        T sum = 0;
         for (std::size_t i = 0; i < Dim; ++i) sum += rates.grad_v[Dim * i + i][k];
         return sum;
       };
-      Real sum = 0.0, weight = 0.0;
+      T sum = 0, weight = 0;
       for (std::size_t k = begin; k < end; ++k) {
-        const Real V0 = state.particles.V0[block.rows[k]];
+        const T V0 = state.particles.V0[block.rows[k]];
         sum += V0 * own_rate(k);
         weight += V0;
       }
@@ -168,39 +170,39 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
 
 /// Stresses of the points in a pack, whose rates begin at k.  Those of other materials, if there
 /// are any, stay.
-template <int Dim, bool opens, class Law>
+template <int Dim, bool opens, class T, class Law>
 [[gnu::always_inline]] inline void
-update_pack(Particles<Dim>& points, const RowPack& rows, StrainRates<Dim>& rates, std::size_t k,
-            const RealPack::mask_type* of_others, bool averages, Real dt,
+update_pack(Particles<Dim, T>& points, const RowPack<T>& rows, StrainRates<Dim, T>& rates,
+            std::size_t k, const typename Pack<T>::mask_type* of_others, bool averages, Real dt,
             const ElasticModuli& moduli, const Law& law) {
-  const auto store = [&](RealPack values, Column& column) {
+  const auto store = [&](Pack<T> values, ColumnOf<T>& column) {
     if (of_others) where(*of_others, values) = rows.load(column);
     rows.store(values, column);
   };
-  const RealPack dilation = averages ? load_lanes(rates.dilation[0] + k) : RealPack(0.0);
-  RealPack rate = dilation;
-  Mat<Dim, RealPack> grad_v;
+  const Pack<T> dilation = averages ? load_lanes(rates.dilation[0] + k) : Pack<T>(0.0F);
+  Pack<T> rate = dilation;
+  Mat<Dim, Pack<T>> grad_v;
   unrolled<Dim>([&](auto i) {
     unrolled<Dim>([&](auto j) { grad_v[i][j] = load_lanes(rates.grad_v[Dim * i + j] + k); });
     rate += grad_v[i][i];
   });
-  SymTensor<Dim, RealPack> tau;
+  SymTensor<Dim, Pack<T>> tau;
   unrolled<tensor_size<Dim>>([&](auto i) { tau[i] = rows.load(points.tau[i]); });
-  RealPack gap = 0.0, room = 0.0;
+  Pack<T> gap = 0.0F, room = 0.0F;
   if constexpr (opens) {
     gap = rows.load(points.gap);
-    room = max(1.0 / load_lanes(rates.fraction[0] + k) - 1.0, RealPack(0.0));
+    room = max(1.0F / load_lanes(rates.fraction[0] + k) - 1.0F, Pack<T>(0.0F));
   }
-  const PlasticStep<RealPack> plastic =
-      update_stress<Dim, RealPack>(tau, gap, room, grad_v, dilation, dt, moduli, law);
+  const PlasticStep<Pack<T>> plastic =
+      update_stress<Dim, Pack<T>>(tau, gap, room, grad_v, dilation, dt, moduli, law);
   unrolled<tensor_size<Dim>>([&](auto i) { store(tau[i], points.tau[i]); });
-  RealPack J = rows.load(points.J) * (1.0 + dt * rate);
+  Pack<T> J = rows.load(points.J) * (1.0F + number<T>(dt) * rate);
   if (plastic.happened) {
     if constexpr (opens) store(gap, points.gap);
     store(rows.load(points.plastic_strain) + plastic.strain, points.plastic_strain);
     store(rows.load(points.dissipation) + plastic.dissipation, points.dissipation);
     // A gap that is not remembered is no volume of the material either: else it adds up for ever.
-    J /= 1.0 + plastic.forgotten;
+    J /= 1.0F + plastic.forgotten;
   }
   store(J, points.J);
 }
@@ -210,12 +212,13 @@ update_pack(Particles<Dim>& points, const RowPack& rows, StrainRates<Dim>& rates
 template <int Dim, class Law, class Shape>
 void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
                  const Law& law, bool opens, Real dt) {
-  Particles<Dim>& points = state.particles;
+  using T = typename Shape::Number;
+  Particles<Dim, T>& points = state.particles;
   const std::int64_t blocks = block_count(state);
 #pragma omp parallel
   {
-    BlockLines<Dim> xi;
-    StrainRates<Dim> rates;
+    BlockLines<Dim, T> xi;
+    StrainRates<Dim, T> rates;
 #pragma omp for schedule(static)
     for (std::int64_t b = 0; b < blocks; ++b) {
       const CellBlock block = cell_block(state, b);
@@ -225,9 +228,9 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       if (own == 0) continue;
       find_strain_rates(state, block, opens, xi, rates);
       const auto update = [&]<bool with_gaps>(std::bool_constant<with_gaps>) {
-        for (std::size_t k = 0; k < block.size; k += RowPack::capacity) {
-          const RowPack rows = block.pack(k);
-          RealPack::mask_type others(false);
+        for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
+          const RowPack<T> rows = block.pack<T>(k);
+          typename Pack<T>::mask_type others(false);
           if (own < block.size)
             for (std::size_t lane = 0; lane < rows.size(); ++lane)
               others[lane] = points.material[block.rows[k + lane]] != material;

@@ -13,9 +13,11 @@
 
 namespace scarp {
 
+/// Of everything that does not depend on Precision: time, positions, walls, energies.  The passes
+/// are templates of their number T, which is this or float.
 using Real = double;
 
-template <int Dim> using Vec = std::array<Real, Dim>;
+template <int Dim, class T = Real> using Vec = std::array<T, Dim>;
 
 /// grad[i][j] = d v_i / d x_j
 template <int Dim, class T = Real> using Mat = std::array<std::array<T, Dim>, Dim>;
