@@ -44,6 +44,12 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
 
   const std::vector<Node>& nodes() const { return nodes_; }
 
+  /// Bytes kept from step to step.
+  std::size_t memory() const {
+    return bytes_of(cell_of_, count_, slot_, occupied_, previous_, places_, begin_, previous_begin_,
+                    rows_, previous_rows_, nodes_);
+  }
+
  private:
   static constexpr double reorder_part = 0.05;
 
