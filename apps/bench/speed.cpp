@@ -36,9 +36,10 @@ void print(const Machine& machine) {
         "  note: other programs are at work here; numbers are too low by what they take, those "
         "of several threads most\n");
   fmt::print("\nMillion point-steps/s, of the whole step and of each phase alone (frames: million "
-             "points/s); medians,\nspread: longest less shortest repetition\n");
+             "points/s); medians.  alone: as if\nno other program ran "
+             "(processor time, 2 threads: shortest repetition); spread: longest less shortest\n");
   fmt::print("{:>3} {:12} {:9} {:>7} {:>9} {:>7} {:>7} {:>6} {:>6} {:>6} {:>5} {:>5} {:>6}", "dim",
-             "shape", "precision", "threads", "points", "rate", "best", "spread", "peak", "band-",
+             "shape", "precision", "threads", "points", "rate", "alone", "spread", "peak", "band-",
              "flop/", "B/pt", "yields");
   for (const char* name : {"sort", "P2G", "grid", "G2P", "remap", "stress", "move", "output"})
     fmt::print(" {:>6}", name);
@@ -51,7 +52,7 @@ void print(const SpeedRow& row) {
   fmt::print(
       "{:>3} {:12} {:9} {:>7} {:>9} {:>7.2f} {:>7.2f} {:>6} {:>6} {:>6} {:>5.0f} {:>5.0f} {:>6}",
       row.dimension, row.how.name(), row.how.precision, row.threads, row.points, row.rate / 1e6,
-      row.best / 1e6, percent(row.spread), percent(row.part_of_flops),
+      row.alone / 1e6, percent(row.spread), percent(row.part_of_flops),
       percent(row.part_of_bandwidth), row.flops, row.memory, percent(row.yielded));
   for (const double rate : row.phase_rate) fmt::print(" {:>6.3g}", rate / 1e6);
   fmt::print(" {:>6}\n", row.output_rate ? fmt::format("{:.2g}", *row.output_rate / 1e6) : "-");
@@ -62,8 +63,8 @@ void print(const SpeedRatio& ratio) {
   const std::string bound =
       ratio.bound ? fmt::format("{} {:g}", ratio.kind == Bound::at_least ? "≥" : "≤", *ratio.bound)
                   : "";
-  fmt::print("  {:6} {:60} {:>8.3g} {:21} {}\n", ratio.verdict(), ratio.name, ratio.value,
-             ratio.unit, bound);
+  fmt::print("  {:6} {:60} {:>8.3g} {:>8.3g} {:21} {}\n", ratio.verdict(), ratio.name, ratio.value,
+             ratio.alone, ratio.unit, bound);
 }
 
 } // namespace
@@ -84,7 +85,7 @@ void run_speed(const SpeedOptions& options) {
                            print(row);
                          }});
   write_speed(options.out, report);
-  fmt::print("\nRatios and bounds\n");
+  fmt::print("\nRatios and bounds{:>60} {:>8}\n", "median", "alone");
   for (const SpeedRatio& ratio : speed_ratios(report.rows)) print(ratio);
   for (const std::string& what : report.skipped) fmt::print("left out: {}\n", what);
   fmt::print("{}\n", (options.out / "speed.json").string());

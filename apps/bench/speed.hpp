@@ -54,8 +54,10 @@ struct SpeedRow {
   SpeedMethod how;
   int threads = 1;
   std::size_t points = 0;
-  double rate = 0.0;   ///< point-steps/s
-  double best = 0.0;   ///< the same of the shortest repetition
+  double rate = 0.0; ///< point-steps/s
+  /// The same as if no other program ran: by the processor's time with one thread, of the shortest
+  /// repetition with several.
+  double alone = 0.0;
   double spread = 0.0; ///< longest less shortest repetition, part of the median
   std::array<double, phase_count> phase_rate = {}; ///< point-steps/s, of a phase on its own
   std::optional<double> output_rate;               ///< points/s into a frame on disk
@@ -71,11 +73,12 @@ struct SpeedRow {
 struct SpeedRatio {
   std::string name;
   double value = 0.0;
+  double alone = 0.0; ///< the same from SpeedRow::alone
   std::string unit;
   std::optional<double> bound = {};
   Bound kind = Bound::at_most; ///< or at_least
 
-  /// "pass", "MISSED", or "-" without a bound.
+  /// Of `value`: "pass", "MISSED", or "-" without a bound.
   std::string verdict() const;
 };
 

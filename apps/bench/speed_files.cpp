@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace scarp::bench {
 
@@ -78,8 +79,10 @@ nlohmann::ordered_json to_json(const Machine& machine) {
 }
 
 nlohmann::ordered_json to_json(const SpeedRatio& ratio) {
-  nlohmann::ordered_json record = {
-      {"name", ratio.name}, {"value", ratio.value}, {"unit", ratio.unit}};
+  nlohmann::ordered_json record = {{"name", ratio.name},
+                                   {"value", ratio.value},
+                                   {"undisturbed", ratio.alone},
+                                   {"unit", ratio.unit}};
   if (ratio.bound) {
     record[ratio.kind == Bound::at_least ? "at_least" : "at_most"] = *ratio.bound;
     record["verdict"] = ratio.verdict();
@@ -87,11 +90,20 @@ nlohmann::ordered_json to_json(const SpeedRatio& ratio) {
   return record;
 }
 
+/// The numbers of points of all rows between powers of ten.
+render::Limits whole_decades(const std::vector<SpeedRow>& rows) {
+  constexpr double slack = 0.1; // decades: 9800 points are ten thousand
+  const auto [least, most] = std::ranges::minmax(rows, {}, &SpeedRow::points);
+  const auto log = [](std::size_t points) { return std::log10(static_cast<double>(points)); };
+  const double from = std::min(std::floor(log(least.points) + slack), log(least.points));
+  const double to = std::max(std::ceil(log(most.points) - slack), log(most.points));
+  return {std::pow(10.0, from - slack), std::pow(10.0, to + slack)};
+}
+
 render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
   using namespace render;
   constexpr std::array colours = {palette::blue,   palette::vermilion, palette::green,
                                   palette::purple, palette::orange,    palette::sky};
-  constexpr std::array markers = {Marker::circle, Marker::square, Marker::diamond};
   Chart chart;
   chart.style = {.x_name = "points",
                  .y_name = "points × steps a second",
@@ -114,12 +126,13 @@ render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
                               .y = {},
                               .colour = colours[k % colours.size()],
                               .line = alone ? LineKind::solid : LineKind::dashed,
-                              .marker = markers[k % markers.size()]});
+                              .marker = alone ? Marker::circle : Marker::open_circle});
       curve = chart.curves.end() - 1;
     }
     curve->x.push_back(static_cast<double>(row.points));
     curve->y.push_back(row.rate / 1e6);
   }
+  chart.style.x_limits = whole_decades(rows);
   return chart;
 }
 
@@ -134,7 +147,7 @@ nlohmann::ordered_json to_json(const SpeedRow& row) {
                                    {"threads", row.threads},
                                    {"points", row.points},
                                    {"point_steps_per_s", row.rate},
-                                   {"best_point_steps_per_s", row.best},
+                                   {"undisturbed_point_steps_per_s", row.alone},
                                    {"spread", row.spread},
                                    {"flops_per_point_step", row.flops},
                                    {"fraction_of_peak_flops", row.part_of_flops},

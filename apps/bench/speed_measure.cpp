@@ -10,6 +10,8 @@
 #include <chrono>
 #include <limits>
 
+#include <time.h>
+
 namespace scarp::bench {
 
 namespace {
@@ -17,6 +19,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+/// s, that this process has had.
+double processor_seconds() {
+  timespec time = {};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -69,15 +78,18 @@ void advance(Simulation& simulation, long steps) {
 /// What one method with one number of threads took, repetition by repetition; s a step.
 struct Times {
   std::vector<double> step;
+  std::vector<double> processor; ///< of all threads
   std::array<std::vector<double>, phase_count> phase;
 };
 
 void measure(Simulation& simulation, long steps, int threads, Times& times) {
   omp_set_num_threads(threads);
   const PhaseClock clock(simulation);
+  const double processor_start = processor_seconds();
   const Clock::time_point start = Clock::now();
   advance(simulation, steps);
   const auto n = static_cast<double>(steps);
+  times.processor.push_back((processor_seconds() - processor_start) / n);
   times.step.push_back(seconds(Clock::now() - start) / n);
   for (std::size_t k = 0; k < phase_count; ++k) times.phase[k].push_back(clock.taken()[k] / n);
 }
@@ -157,7 +169,7 @@ class Round {
     row.points = simulation.points();
     row.rate = points / step;
     const auto [least, most] = std::ranges::minmax(times.step);
-    row.best = points / least;
+    row.alone = points / (row.threads == 1 ? median(times.processor) : least);
     row.spread = (most - least) / step;
     for (std::size_t k = 0; k < phase_count; ++k) {
       const double taken = median(times.phase[k]);

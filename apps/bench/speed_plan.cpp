@@ -106,7 +106,11 @@ std::vector<SpeedRatio> speed_ratios(const std::vector<SpeedRow>& rows) {
   const auto add = [&](const std::string& name, const SpeedRow* a, const SpeedRow* b, auto&& value,
                        const std::string& unit, std::optional<double> bound = {},
                        Bound kind = Bound::at_most) {
-    if (a && b) ratios.push_back({name, value(*a, *b), unit, bound, kind});
+    if (!a || !b) return;
+    SpeedRow a_alone = *a, b_alone = *b;
+    a_alone.rate = a->alone;
+    b_alone.rate = b->alone;
+    ratios.push_back({name, value(*a, *b), value(a_alone, b_alone), unit, bound, kind});
   };
   const auto speed = [](const SpeedRow& a, const SpeedRow&) { return a.rate / 1e6; };
   const auto memory = [](const SpeedRow& a, const SpeedRow&) { return a.memory; };

@@ -39,7 +39,7 @@ mkdir -p $build
     cmake --build $build --target scarp_steps -j "$(nproc)"
 } >$build/log 2>&1 || { tail -n 40 $build/log >&2 && fail "the build failed: $build/log"; }
 compiler=$("$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' $build/CMakeCache.txt)" --version |
-  head -n 1 | tr ',' ' ')
+  head -n 1 | sed 's/^[cg]++[^ ]* /gcc /' | tr ',' ' ')
 
 # What valgrind says it has collected, and the program its number of points.
 count() { # DIMENSION SHAPE TRANSFER STEPS

@@ -23,6 +23,7 @@ SpeedRow row(int dimension, ShapeFunctions shape, int threads, std::size_t point
   one.threads = threads;
   one.points = points;
   one.rate = rate;
+  one.alone = 2.0 * rate;
   one.memory = 190.0;
   return one;
 }
@@ -113,6 +114,7 @@ TEST(SpeedRatios, AreOfTheRightRows) {
   EXPECT_DOUBLE_EQ(value("plane strain, linear: 2 threads"), 1.8);
   EXPECT_DOUBLE_EQ(value("cost at 10⁷ over 10⁵"), 1.25);
   EXPECT_DOUBLE_EQ(value("plane strain, linear: memory"), 190.0);
+  EXPECT_DOUBLE_EQ(find(ratios, "plane strain, linear, 1 thread")->alone, 100.0);
   EXPECT_EQ(find(ratios, "3-D: cost of B-splines"), nullptr) << "no such row";
   EXPECT_EQ(find(ratios, "plane strain, linear, 1 thread")->verdict(), "MISSED");
   EXPECT_EQ(find(ratios, "3-D, linear, 1 thread")->verdict(), "pass");
@@ -140,6 +142,7 @@ TEST(Speed, MeasuresAndWrites) {
   EXPECT_NE(report.skipped.front().find("3-D, bspline"), std::string::npos);
   for (const SpeedRow& one : report.rows) {
     EXPECT_GT(one.rate, 0.0);
+    EXPECT_GT(one.alone, 0.3 * one.rate);
     EXPECT_GT(one.memory, 100.0);
     EXPECT_GT(one.part_of_flops, 0.0);
     EXPECT_LT(one.part_of_flops, 1.0);
