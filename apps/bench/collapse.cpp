@@ -13,7 +13,7 @@ constexpr double height = 0.2;          // m
 constexpr double front_speed = 0.5;     // m/s
 constexpr double gravity = 9.81;        // m/s2
 constexpr double friction_angle = 19.8; // degrees
-constexpr int length_over_height = 2;
+constexpr std::size_t length_over_height = 2;
 constexpr double spare_width = 2.0; // grid over block
 constexpr double spare_height = 1.25;
 
@@ -32,14 +32,14 @@ std::size_t CollapseSize::points() const {
 }
 
 CollapseSize collapse_of(int dimension, double points) {
-  const double unit = dimension == 2 ? 4.0 * length_over_height : 8.0 * length_over_height;
+  const auto unit = static_cast<double>(CollapseSize{dimension, 1}.points());
   return {dimension,
           std::max(1, static_cast<int>(std::lround(std::pow(points / unit, 1.0 / dimension))))};
 }
 
 Scene collapse_scene(const CollapseSize& size, const Method& method) {
   const double h = height / size.cells_high;
-  const double length = length_over_height * height;
+  const double length = static_cast<double>(length_over_height) * height;
   const auto whole_cells = [&](double x) { return h * std::ceil(x / h - 1e-9); };
   Scene scene;
   scene.title = "collapsing block of rods";
@@ -61,7 +61,8 @@ Scene collapse_scene(const CollapseSize& size, const Method& method) {
 Snapshot collapse_start(const CollapseSize& size) {
   const Scene scene = collapse_scene(size, {});
   Snapshot start = at_rest(*make_simulation(scene));
-  const double rate = front_speed / (length_over_height * height); // 1/s, of extension
+  const double rate =
+      front_speed / (static_cast<double>(length_over_height) * height); // 1/s, of extension
   const double sine = std::sin(friction_angle * 3.14159265358979323846 / 180.0);
   const double active = (1.0 - sine) / (1.0 + sine);
   for (std::size_t p = 0; p < start.volume.size(); ++p) {

@@ -110,7 +110,7 @@ void write_speed(const std::filesystem::path& out, const SpeedReport& report);
 
 nlohmann::ordered_json to_json(const SpeedRow& row);
 
-/// Panels of point-steps/s over points, a line a method and number of threads.
+/// Panels of point-steps/s (SpeedRow::alone) over points, a line a method and number of threads.
 std::vector<render::Chart> speed_figure(const std::vector<SpeedRow>& rows);
 
 struct SpeedOptions {

@@ -106,7 +106,7 @@ render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
                                   palette::purple, palette::orange,    palette::sky};
   Chart chart;
   chart.style = {.x_name = "points",
-                 .y_name = "points × steps a second",
+                 .y_name = "points × steps a second, undisturbed",
                  .y_unit = "10⁶/s",
                  .title = dimension == 2 ? "plane strain" : "3-D"};
   std::vector<std::string> methods;
@@ -130,7 +130,7 @@ render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
       curve = chart.curves.end() - 1;
     }
     curve->x.push_back(static_cast<double>(row.points));
-    curve->y.push_back(row.rate / 1e6);
+    curve->y.push_back(row.alone / 1e6);
   }
   chart.style.x_limits = whole_decades(rows);
   return chart;

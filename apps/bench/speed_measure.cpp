@@ -39,7 +39,7 @@ class PhaseClock final : public PhaseWatch {
  public:
   explicit PhaseClock(Simulation& simulation) : simulation_(simulation) {
     simulation_.watch(this);
-    last_ = Clock::now();
+    last_ = start_ = Clock::now();
   }
   PhaseClock(const PhaseClock&) = delete;
   PhaseClock& operator=(const PhaseClock&) = delete;
@@ -51,13 +51,15 @@ class PhaseClock final : public PhaseWatch {
     last_ = now;
   }
 
-  /// s, since the beginning
+  Clock::time_point start() const { return start_; }
+
+  /// s, since the start
   const std::array<double, phase_count>& taken() const { return taken_; }
 
  private:
   Simulation& simulation_;
   std::array<double, phase_count> taken_ = {};
-  Clock::time_point last_;
+  Clock::time_point start_, last_;
 };
 
 class KeptThreads {
@@ -84,13 +86,13 @@ struct Times {
 
 void measure(Simulation& simulation, long steps, int threads, Times& times) {
   omp_set_num_threads(threads);
-  const PhaseClock clock(simulation);
   const double processor_start = processor_seconds();
-  const Clock::time_point start = Clock::now();
+  const PhaseClock clock(simulation);
   advance(simulation, steps);
+  const Clock::time_point end = Clock::now();
   const auto n = static_cast<double>(steps);
+  times.step.push_back(seconds(end - clock.start()) / n);
   times.processor.push_back((processor_seconds() - processor_start) / n);
-  times.step.push_back(seconds(Clock::now() - start) / n);
   for (std::size_t k = 0; k < phase_count; ++k) times.phase[k].push_back(clock.taken()[k] / n);
 }
 

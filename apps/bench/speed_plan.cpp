@@ -27,10 +27,11 @@ std::vector<SpeedMethod> speed_methods() {
   };
 }
 
-/// As many steps as the columns are put into order again at least once in.
+/// As many steps as the columns are put into order again in, and so few in all that the front stays
+/// far from the end of the grid.
 SpeedSize full_size(int dimension, double points) {
   const CollapseSize size = collapse_of(dimension, points);
-  if (points < 5e4) return {size, 40, 60, 9};
+  if (points < 5e4) return {size, 10, 24, 7};
   if (points < 5e5) return {size, 30, 24, 7};
   if (points < 5e6) return {size, 20, 16, 5};
   return {size, 16, 12, 3};

@@ -55,7 +55,8 @@ recorded() { # CONFIGURATION: the number of this compiler and these flags, if th
 }
 
 rows=() worse=0 unknown=0
-for configuration in "2 linear flip" "2 bspline flip" "2 bspline apic" "3 linear flip" "3 bspline apic"; do
+for configuration in "2 linear flip" "2 bspline flip" "2 bspline apic" "3 linear flip" "3 bspline flip" \
+  "3 bspline apic"; do
   read -r dimension shape transfer <<<"$configuration"
   name="${dimension}-D $shape $transfer"
   first=$(count "$dimension" "$shape" "$transfer" $few)
