@@ -68,6 +68,12 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
   const std::vector<NodeRun>& node_runs() const { return runs_; }
   const Part& part(std::size_t k) const { return parts_[k]; }
 
+  /// Bytes kept from step to step.
+  std::size_t memory() const {
+    return bytes_of(cell_of_, count_, slot_, occupied_, previous_, places_, begin_, previous_begin_,
+                    rows_, previous_rows_, nodes_);
+  }
+
  private:
   static constexpr double reorder_part = 0.01;
 

@@ -1,6 +1,7 @@
 // The material points: all state, as structure of arrays.
 #pragma once
 
+#include "core/memory.hpp"
 #include "core/types.hpp"
 
 #include <cstdint>
@@ -66,6 +67,15 @@ template <int Dim, class T = Real> struct Particles {
   Vec<Dim, T> velocity(std::size_t p) const { return at(v, p); }
 
   bool affine() const { return !C[0].empty(); }
+
+  /// Bytes of all columns.
+  std::size_t memory() const {
+    std::size_t bytes = 0;
+    // It lends columns to those who change them as well.
+    const_cast<Particles&>(*this).for_each_column(
+        [&](const auto& column) { bytes += bytes_of(column); });
+    return bytes;
+  }
 
   /// Calls visit(column) for every column in use, whatever its type.
   template <class Visit> void for_each_column(Visit&& visit) {

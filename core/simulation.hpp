@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "core/phases.hpp"
 #include "core/scene.hpp"
 
 #include <array>
@@ -51,12 +52,18 @@ class Simulation {
   /// turns inside out or is no number any more.
   virtual double step(double until) = 0;
 
+  /// Who is told of the end of every phase from now on; null: nobody.  It has to outlive the steps
+  /// it watches, and changes nothing in them.
+  void watch(PhaseWatch* watch) { watch_ = watch; }
+
   virtual int dimension() const = 0;
   virtual double time() const = 0; ///< s
   virtual long steps() const = 0;
   virtual std::size_t points() const = 0;
   virtual std::size_t cells() const = 0; ///< of the whole grid
   virtual std::size_t occupied_cells() const = 0;
+  /// Bytes taken between steps by what grows with the points or the grid.
+  virtual std::size_t memory() const = 0;
   virtual bool waits_for_gate() const = 0; ///< whether a gate has still to open
 
   virtual const Stage& stage() const = 0; ///< the present one
@@ -76,6 +83,14 @@ class Simulation {
   virtual std::vector<double> field(const std::string& name) const = 0;
   /// The material point nearest to a place at time 0.
   virtual std::size_t nearest_point(const std::array<double, 3>& place) const = 0;
+
+ protected:
+  void done(Phase phase) const {
+    if (watch_) watch_->end_of(phase);
+  }
+
+ private:
+  PhaseWatch* watch_ = nullptr;
 };
 
 /// The state of a run at one moment, point by point in the order of their creation.

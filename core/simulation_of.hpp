@@ -105,33 +105,45 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     walls_.open_gates(time_);
     if (loads_.vary()) loads_.update(time_);
     state_.order.update(state_.particles);
+    done(Phase::sort);
 
     if (scheme == Scheme::usf) {
       scatter_pass<Dim, Terms::mass_momentum>(state_);
+      done(Phase::scatter);
       gather_momentum_pass(state_, walls_);
+      done(Phase::nodes);
       update_stress_of_all(dt);
+      done(Phase::stress);
       scatter_pass<Dim, Terms::force>(state_, loads_.own());
+      done(Phase::scatter);
     } else {
       scatter_pass<Dim, Terms::all>(state_, loads_.own());
+      done(Phase::scatter);
       gather_momentum_pass(state_, walls_);
     }
     if (scene_.body_force) body_force_pass(state_, scene_.body_force, time_);
     advance_momentum_pass(state_, walls_, loads_.common(), damping(), dt);
     add_up_losses();
+    done(Phase::nodes);
 
     if (scheme == Scheme::musl) {
       check_positions(gather_pass<Dim, true>(state_, flip(), dt));
+      done(Phase::gather);
       remap_velocity_pass(state_, walls_);
+      done(Phase::remap);
     } else {
       check_positions(gather_pass<Dim, false>(state_, flip(), dt));
+      done(Phase::gather);
     }
     if (scheme != Scheme::usf) update_stress_of_all(dt);
     check_volumes();
+    done(Phase::stress);
 
     move_points();
     if (loads_.vary()) loads_.settle(state_.particles);
     time_ = end;
     ++steps_;
+    done(Phase::move);
     return dt;
   }
 
@@ -141,6 +153,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   std::size_t points() const override { return state_.particles.size(); }
   std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
   std::size_t occupied_cells() const override { return state_.order.cells(); }
+  std::size_t memory() const override {
+    return state_.memory() + walls_.memory() + bytes_of(start_positions_);
+  }
 
   bool waits_for_gate() const override { return std::isfinite(walls_.next_opening(time_)); }
 

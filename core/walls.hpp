@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grid_index.hpp"
+#include "core/memory.hpp"
 #include "core/nodes.hpp"
 #include "core/scene.hpp"
 
@@ -64,6 +65,9 @@ template <int Dim> class Walls {
   }
 
   bool have_friction() const { return !rubs_.empty(); }
+
+  /// Bytes of what is kept by node.
+  std::size_t memory() const { return bytes_of(held_, rubs_, next_to_mirror_, mirrors_); }
 
   /// Only the normal part of `resist`, for velocities that are mapped again within the step.
   void hold_back(int node, Vec<Dim>& v) const {

@@ -1,5 +1,7 @@
 #include "apps/bench/prepared.hpp"
 
+#include <utility>
+
 namespace scarp::bench {
 
 Region box(const std::string& name, const std::string& material, std::array<double, 2> lower,
@@ -29,20 +31,22 @@ Material grains() {
   return {"grains", 2650.0, 1e6, 0.3, law};
 }
 
-std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change) {
-  const auto rest = make_simulation(scene);
-  const std::size_t n = rest->points();
+Snapshot at_rest(const Simulation& simulation) {
+  const std::size_t n = simulation.points();
   Snapshot start;
-  start.position = rest->positions();
+  start.position = simulation.positions();
   start.displacement.assign(3 * n, 0.0);
-  start.velocity = rest->field("velocity");
+  start.velocity = simulation.field("velocity");
   start.stress.assign(6 * n, 0.0);
-  start.volume = rest->field("volume");
-  start.initial_volume = rest->field("initial_volume");
+  start.volume = simulation.field("volume");
+  start.initial_volume = simulation.field("initial_volume");
   start.plastic_strain.assign(n, 0.0);
   start.gap.assign(n, 0.0);
   start.velocity_gradient.assign(9 * n, 0.0);
-  change(start);
+  return start;
+}
+
+std::unique_ptr<Simulation> begin_from(Scene scene, const Snapshot& start) {
   constexpr double for_ever = 1e9; // s
   Stage stage;
   stage.name = "run";
@@ -50,6 +54,12 @@ std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Sna
   stage.begin_from = "a state made by hand";
   scene.stages = {stage};
   return make_simulation(scene, &start);
+}
+
+std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change) {
+  Snapshot start = at_rest(*make_simulation(scene));
+  change(start);
+  return begin_from(std::move(scene), start);
 }
 
 std::vector<double> masses(const Simulation& simulation) {

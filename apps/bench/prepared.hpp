@@ -19,6 +19,12 @@ Grid plane_grid(double cell_size, std::array<double, 2> lower, std::array<double
 /// "grains": cohesionless, friction angle of 30 degrees, plane-strain cone, gaps remembered.
 Material grains();
 
+/// The points of a simulation that has not begun, free of stress.
+Snapshot at_rest(const Simulation& simulation);
+
+/// At time 0 from a state made by hand.
+std::unique_ptr<Simulation> begin_from(Scene scene, const Snapshot& start);
+
 /// At time 0, with what `change` makes of velocities, stresses and so on.
 std::unique_ptr<Simulation> begin_with(Scene scene, const std::function<void(Snapshot&)>& change);
 

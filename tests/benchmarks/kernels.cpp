@@ -6,6 +6,7 @@
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
 #include "core/simulation.hpp"
+#include "core/spline_shape.hpp"
 #include "core/stress_pass.hpp"
 #include "core/walls.hpp"
 #include "tests/support/scenes.hpp"
@@ -14,6 +15,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 
 namespace {
 
@@ -43,16 +45,22 @@ template <int Dim> Scene block() {
   return scene;
 }
 
+template <class Shape> Scene with_shape(Scene scene) {
+  scene.method.shape =
+      Shape::layout == NodeLayout::spline ? ShapeFunctions::bspline : ShapeFunctions::linear;
+  return scene;
+}
+
 /// The passes on a state of their own, which a Simulation does not give away.
-template <int Dim> struct Passes {
+template <int Dim, class Shape> struct Passes {
   Scene scene = block<Dim>();
-  State<Dim> state{scene.grid, fill_regions<Dim>(scene), true};
+  State<Dim, Shape> state{scene.grid, fill_regions<Dim>(scene), true};
   Walls<Dim> walls{scene, state.grid};
   ElasticModuli moduli = ElasticModuli::from(scene.materials.front().youngs_modulus,
                                              scene.materials.front().poissons_ratio);
   DruckerPragerUpdate law =
       DruckerPragerUpdate::from(std::get<DruckerPrager>(scene.materials.front().law), moduli);
-  Real dt = make_simulation(scene)->stable_time_step();
+  Real dt = make_simulation(with_shape<Shape>(scene))->stable_time_step();
   Vec<Dim> gravity = {};
 
   /// Until the block has begun to yield: the law's branches are those of a collapse.
@@ -79,8 +87,8 @@ template <int Dim> struct Passes {
 };
 
 /// Measures one pass, again and again on the same block.
-template <int Dim, void (Passes<Dim>::*pass)()> void pass_of(benchmark::State& loop) {
-  const auto passes = std::make_unique<Passes<Dim>>();
+template <class AllPasses, void (AllPasses::*pass)()> void pass_of(benchmark::State& loop) {
+  const auto passes = std::make_unique<AllPasses>();
   if (passes->state.particles.size() != block_points) loop.SkipWithError("not 12 800 points");
   for (auto _ : loop) {
     ((*passes).*pass)();
@@ -90,8 +98,8 @@ template <int Dim, void (Passes<Dim>::*pass)()> void pass_of(benchmark::State& l
 }
 
 /// Whole steps of a collapse that has begun; each measured step is another one.
-template <int Dim> void whole_step(benchmark::State& loop) {
-  const std::unique_ptr<Simulation> simulation = make_simulation(block<Dim>());
+template <int Dim, class Shape> void whole_step(benchmark::State& loop) {
+  const std::unique_ptr<Simulation> simulation = make_simulation(with_shape<Shape>(block<Dim>()));
   if (simulation->points() != block_points) loop.SkipWithError("not 12 800 points");
   test::run_until(*simulation, 0.01);
   for (auto _ : loop) {
@@ -105,13 +113,27 @@ template <int Dim> void whole_step(benchmark::State& loop) {
   loop.SetItemsProcessed(loop.iterations() * static_cast<std::int64_t>(block_points));
 }
 
-BENCHMARK(pass_of<2, &Passes<2>::scatter>)->Name("scatter/2-D")->UseRealTime();
-BENCHMARK(pass_of<2, &Passes<2>::gather_and_remap>)->Name("gather_and_remap/2-D")->UseRealTime();
-BENCHMARK(pass_of<2, &Passes<2>::update_stress>)->Name("stress/2-D")->UseRealTime();
-BENCHMARK(whole_step<2>)->Name("step/2-D")->UseRealTime()->Iterations(1000);
-BENCHMARK(pass_of<3, &Passes<3>::scatter>)->Name("scatter/3-D")->UseRealTime();
-BENCHMARK(pass_of<3, &Passes<3>::gather_and_remap>)->Name("gather_and_remap/3-D")->UseRealTime();
-BENCHMARK(pass_of<3, &Passes<3>::update_stress>)->Name("stress/3-D")->UseRealTime();
-BENCHMARK(whole_step<3>)->Name("step/3-D")->UseRealTime()->Iterations(1000);
+template <int Dim, class Shape> void add(const std::string& name) {
+  using All = Passes<Dim, Shape>;
+  const auto with = [&](const char* pass, void (*run)(benchmark::State&)) {
+    return benchmark::RegisterBenchmark((pass + ("/" + name)).c_str(), run)->UseRealTime();
+  };
+  with("scatter", pass_of<All, &All::scatter>);
+  with("gather_and_remap", pass_of<All, &All::gather_and_remap>);
+  with("stress", pass_of<All, &All::update_stress>);
+  with("step", whole_step<Dim, Shape>)->Iterations(1000);
+}
 
 } // namespace
+
+int main(int argc, char** argv) {
+  add<2, LinearShape<2>>("2-D");
+  add<3, LinearShape<3>>("3-D");
+  add<2, SplineShape<2>>("2-D/bspline");
+  add<3, SplineShape<3>>("3-D/bspline");
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

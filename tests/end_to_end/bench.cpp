@@ -1,7 +1,9 @@
-// scarp bench accuracy: what it writes, and its exit codes.
+// scarp bench accuracy and speed: what it writes, and its exit codes.
 #include "tests/end_to_end/program.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace scarp::test {
 
@@ -29,10 +31,33 @@ TEST_F(Bench, AccuracyWritesItsRecordFiguresAndPage) {
     EXPECT_TRUE(std::filesystem::exists(*this / "out" / figure)) << figure;
 }
 
+TEST_F(Bench, SpeedWritesItsRecordAndFigure) {
+  const Result result = scarp({"bench", "speed", "--out", "out", "--quick"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "") << "progress is for terminals";
+  for (const char* words : {"GFLOP/s", "GB/s", "Ratios and bounds", "plane strain, linear: memory"})
+    EXPECT_NE(result.out.find(words), std::string::npos) << words;
+  const auto record = nlohmann::json::parse(content(*this / "out/speed.json"));
+  ASSERT_TRUE(record.is_array());
+  for (const auto& entry : record) {
+    for (const char* key : {"scene", "dim", "shape", "precision", "threads", "points",
+                            "point_steps_per_s", "fraction_of_peak_flops", "bytes_per_point"})
+      EXPECT_TRUE(entry.contains(key)) << key;
+    for (const char* phase : {"sort", "P2G", "grid", "G2P", "remap", "stress", "output"})
+      EXPECT_GT(entry.at("phases").at(phase), 0.0) << phase;
+  }
+  EXPECT_EQ(lines_of(content(*this / "out/speed.csv")).size(), record.size() + 1);
+  EXPECT_TRUE(std::filesystem::exists(*this / "out/speed.png"));
+  EXPECT_TRUE(nlohmann::json::parse(content(*this / "out/machine.json")).contains("rooflines"));
+}
+
 TEST_F(Bench, SaysWhatIsWrongWithTheCall) {
   EXPECT_EQ(scarp({"bench"}).exit_code, 2);
   EXPECT_EQ(scarp({"bench", "accuracy"}).exit_code, 2);
   EXPECT_EQ(scarp({"bench", "accuracy", "--out", "out", "--only", "nonsense"}).exit_code, 2);
+  EXPECT_EQ(scarp({"bench", "speed"}).exit_code, 2);
+  std::ofstream(*this / "file") << "in the way";
+  expect_complaint(scarp({"bench", "speed", "--out", "file"}), 2, {"--out", "file"});
 }
 
 } // namespace scarp::test

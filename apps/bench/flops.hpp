@@ -1,0 +1,70 @@
+// How many floating-point operations and bytes a point-step of MUSL needs, derived from the passes.
+//
+// An addition, subtraction, multiplication, division and square root is one operation each;
+// comparisons, min, max, abs, floor, conversions and integer arithmetic are none, and so is what
+// does not depend on the point or node (it is worked out once).  What registers do for nothing
+// (lanes without a point) does not count: the fraction of the peak is that of useful work.  d =
+// Dim, w = nodes that a cell reaches along an axis, n = w^d, t = stress components, s = d (d + 1)
+// / 2.
+//
+//   place in the cell              (x - lower) / h - corner                                 3 d
+//   functions along the axes, W    linear 1 - xi: d;  B-spline 7 d      (tested by counting)
+//   derivatives, D                 linear 0;  B-spline 5 d              (tested by counting)
+//   interpolation of a number, I   axis after axis: (2 w - 1) (n - 1) / (w - 1)
+//                                                       (counted: interpolate() with a scalar that
+//                                                        counts)
+//   sort       cell of a point                                                              2 d
+//   scatter    place, W, D, N at the nodes (d - 1) n, grad N d (d - 1) n, products m v d and V0 tau
+//              s, to the nodes m, V0, m v, f: (2 + 2 + 2 d + 2 d^2) n
+//     affine   m C d^2, x_I - x_p 2 w d, its products with N d n, to the nodes 2 d^2 n
+//   nodes      of a node, and there are 1 / ppc^d of them a point inside a body; every node has n
+//              cells around it: m, V0, m v, f from tiles (2 + 2 d) n, 1 / m and fraction 2, v d,
+//              gravity d, v after the forces 4 d, dv d
+//   gather     place, W, 2 d interpolations (v, dv), v_p 4 d, dx d, speeds squared 4 d, new place
+//              3 d
+//     remap    N (d - 1) n, m v d, to the nodes 2 d n
+//     affine   weights of C: x_I - x_p 2 w d, D_p 3 w d, 1 / D_p d, q w d; C d^2 interpolations;
+//              m C, products and to the nodes as in scatter
+//   remap      of a node: m v from tiles d n, v d
+//   stress     place, W, D, grad v d^2 interpolations, fraction 1, room 2, the law with its strain
+//              increment and rotation (counted: update_stress() with a scalar that counts), rate of
+//              volume d, J 5, strain and dissipation 2
+//   move       d
+//
+// Left out, as it is not needed without damping or friction: the work that both take.
+#pragma once
+
+#include "core/phases.hpp"
+#include "core/scene.hpp"
+
+#include <array>
+
+namespace scarp::bench {
+
+/// Of one point-step, by Phase.
+struct StepCost {
+  std::array<double, phase_count> flops = {};
+  std::array<double, phase_count> bytes = {};
+
+  double flops_of(Phase phase) const { return flops[static_cast<std::size_t>(phase)]; }
+  double all_flops() const;
+  double all_bytes() const;
+};
+
+/// Linear functions or B-splines, any transfer, MUSL, Drucker-Prager that remembers gaps.
+/// Bytes: every column that a pass reads or writes counts once a pass with `number_size` bytes a
+/// number, tiles and nodes by their number a point, as if no cache held anything from pass to pass;
+/// rows of columns that are put into order again now and then are left out.  Throws
+/// std::invalid_argument for GIMP.
+StepCost step_cost(int dimension, ShapeFunctions shape, VelocityTransfer transfer,
+                   int points_per_cell, std::size_t number_size);
+
+/// What the derivation says of functions along one axis and what running the solver's own code with
+/// a scalar that counts gives, for the tests.
+struct AxisFlops {
+  int stated;
+  int counted;
+};
+AxisFlops axis_flops(ShapeFunctions shape);
+
+} // namespace scarp::bench
