@@ -70,8 +70,10 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
 
   /// Bytes kept from step to step.
   std::size_t memory() const {
-    return bytes_of(cell_of_, count_, slot_, occupied_, previous_, places_, begin_, previous_begin_,
-                    rows_, previous_rows_, nodes_);
+    const std::size_t spare =
+        std::apply([](const auto&... columns) { return bytes_of(columns...); }, spare_);
+    return spare + bytes_of(cell_of_, count_, occupied_, previous_, places_, begin_,
+                            previous_begin_, rows_, previous_rows_, parts_, runs_);
   }
 
  private:

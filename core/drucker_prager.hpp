@@ -57,8 +57,7 @@ requires(!std::is_same_v<Mask, bool>)
 }
 
 /// `yes` where the condition holds, else `no`.
-template <class T>
-requires std::is_floating_point_v<T> T choose(bool condition, T yes, T no) {
+template <class T> T choose(bool condition, const T& yes, const T& no) {
   return condition ? yes : no;
 }
 template <class Mask, class T>

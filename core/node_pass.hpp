@@ -58,7 +58,7 @@ void find_velocities(State<Dim, Shape>& state, const auto& run, std::size_t firs
   for (std::size_t i = 0; i < Dim; ++i) {
     RunValuesOf<T> mv = {};
     add_up(state, run, state.nodal.sums.mv[i], mv);
-    const T* inv_m = &nodes.inv_m[i][first];
+    const T* inv_m = &nodes.inverse_mass(i)[first];
     T* v = &nodes.v[i][first];
     for (std::size_t k = 0; k < run.count; ++k) v[k] = mv[k] * inv_m[k];
   }
@@ -113,7 +113,8 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
     for (std::size_t k = 0; k < run.count; ++k) {
       nodes.m[first + k] = m[k];
       const T inverse = T(1) / m[k];
-      for (std::size_t i = 0; i < Dim; ++i) nodes.inv_m[i][first + k] = m[k] > 0 ? inverse : T(0);
+      for (auto& inv_m : nodes.inv_m)
+        if (!inv_m.empty()) inv_m[first + k] = m[k] > 0 ? inverse : T(0);
     }
     if (state.nodal.tracks_fraction) {
       RunValuesOf<T> V0 = {};
@@ -165,7 +166,7 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       RunValuesOf<T> force = {};
       add_up(state, run, state.nodal.sums.f[i], force);
       const T* m = &nodes.m[first];
-      const T* inv_m = &nodes.inv_m[i][first];
+      const T* inv_m = &nodes.inverse_mass(i)[first];
       T* f = &nodes.f[i][first];
       T* v = &nodes.v[i][first];
       const auto b = static_cast<T>(gravity[i]), step = static_cast<T>(dt);

@@ -67,12 +67,17 @@ template <int Dim, class Shape> class StripSum {
 template <int Dim, class T = Real> struct Nodes {
   using Column = ColumnOf<T>;
   Column m; ///< kg
-  /// 1/kg, of what moves with each component; 0 without mass
+  /// 1/kg, of what moves with a component; 0 without mass.  The first one counts for all, unless
+  /// there are mirrors (Walls::Mirror).
   std::array<Column, Dim> inv_m;
   std::array<Column, Dim> f;  ///< N, with gravity
   std::array<Column, Dim> v;  ///< m/s, after the latest constraint
   std::array<Column, Dim> dv; ///< m/s, change by the forces of this step
   Column fraction;            ///< -, see GridState::tracks_fraction
+
+  const Column& inverse_mass(std::size_t component) const {
+    return inv_m[component].empty() ? inv_m[0] : inv_m[component];
+  }
 };
 
 template <int Dim, class Shape> struct GridState {
@@ -85,15 +90,35 @@ template <int Dim, class Shape> struct GridState {
   bool tracks_fraction;
   Column volume; ///< m3, by node: what belongs to it of the cells around it
 
+  /// Bytes.
+  std::size_t memory() const {
+    std::size_t bytes = bytes_of(nodes.m, nodes.fraction, damped, rubbed, volume);
+    for (const auto* columns : {&nodes.inv_m, &nodes.f, &nodes.v, &nodes.dv})
+      for (const auto& column : *columns) bytes += bytes_of(column);
+    const auto add_lines = [&bytes](const auto& lines) {
+      for (const auto& line : lines) bytes += bytes_of(line);
+    };
+    add_lines(sums.m);
+    add_lines(sums.V0);
+    for (std::size_t i = 0; i < Dim; ++i) {
+      add_lines(sums.mv[i]);
+      add_lines(sums.f[i]);
+    }
+    return bytes;
+  }
+
   GridState(const GridIndex<Dim>& grid, bool with_fraction) : tracks_fraction(with_fraction) {
     const auto n = static_cast<std::size_t>(grid.node_count);
     nodes.m.resize(n);
+    nodes.inv_m[0].resize(n);
     for (std::size_t i = 0; i < Dim; ++i) {
-      nodes.inv_m[i].resize(n);
       nodes.f[i].resize(n);
       nodes.v[i].resize(n);
       nodes.dv[i].resize(n);
     }
+    // Only B-splines have mirrors.
+    for (std::size_t i = 1; i < Dim && Shape::layout == NodeLayout::spline; ++i)
+      nodes.inv_m[i].resize(n);
     if (!tracks_fraction) return;
     nodes.fraction.resize(n);
     volume.assign(n, 0.0);

@@ -31,10 +31,10 @@ template <int Dim, class T = Real> struct Particles {
   std::array<Column, tensor_size<Dim>> tau; ///< Pa, Kirchhoff stress (see core/stress_pass.hpp)
   /// 1/s, C[Dim i + j] = d v_i / d x_j around the point; empty unless transfers are affine
   std::array<Column, static_cast<std::size_t>(Dim) * Dim> C;
-  Column m;              ///< kg (per metre of depth in plane strain)
-  Column V0;             ///< m3 (m2 in plane strain), volume before loading
-  Column J;              ///< -, volume / V0
-  Column gap;            ///< -, volumetric strain by which the point stands open
+  Column m;   ///< kg (per metre of depth in plane strain)
+  Column V0;  ///< m3 (m2 in plane strain), volume before loading
+  Column J;   ///< -, volume / V0
+  Column gap; ///< -, volumetric strain by which the point stands open; empty if it is forgotten
   Column plastic_strain; ///< -, equivalent, deviatoric
   Column dissipation;    ///< J/m3 of V0, plastic work so far
   std::vector<std::uint32_t> id;
@@ -88,7 +88,7 @@ template <int Dim, class T = Real> struct Particles {
     visit(m);
     visit(V0);
     visit(J);
-    visit(gap);
+    if (!gap.empty()) visit(gap);
     visit(plastic_strain);
     visit(dissipation);
     visit(id);

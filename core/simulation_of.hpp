@@ -81,7 +81,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
         state_(scene.grid, Particles<Dim, Number>(fill_regions<Dim>(scene)), remembers_gaps(scene)),
         walls_(scene, state_.grid), loads_(scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
-    start_positions_ = positions();
+    for (std::size_t i = 0; i < Dim; ++i) start_[i] = state_.particles.x[i];
     state_.averages_volume = scene.method.volume_rate == VolumeRate::cell_average;
     if (scene.method.transfer != VelocityTransfer::flip)
       for (auto& column : state_.particles.C) column.assign(points(), Number(0));
@@ -96,7 +96,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     state_.order.update(state_.particles);
     for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
     loads_.settle(state_.particles);
-    start_ = energies();
+    first_energies_ = energies();
   }
 
   double step(double until) override {
@@ -154,7 +154,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
   std::size_t occupied_cells() const override { return state_.order.cells(); }
   std::size_t memory() const override {
-    return state_.memory() + walls_.memory() + bytes_of(start_positions_);
+    std::size_t start = 0;
+    for (const Column& x : start_) start += bytes_of(x);
+    return state_.memory() + walls_.memory() + start;
   }
 
   bool waits_for_gate() const override { return std::isfinite(walls_.next_opening(time_)); }
@@ -204,7 +206,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       Real distance2 = 0.0;
       for (int a = 0; a < Dim; ++a) {
         const std::size_t i = scene_axis<Dim>(a);
-        const Real d = start_positions_[3 * p + i] - place[i];
+        const Real d = start_[static_cast<std::size_t>(a)][p] - place[i];
         distance2 += d * d;
       }
       if (distance2 < least) {
@@ -289,6 +291,10 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
         points.x[i][static_cast<std::size_t>(k)] += points.dx[i][static_cast<std::size_t>(k)];
   }
 
+  Real gap(std::size_t p) const {
+    return state_.particles.gap.empty() ? 0.0 : state_.particles.gap[p];
+  }
+
   Real speed(std::size_t p) const {
     Real v2 = 0.0;
     for (const auto& v : state_.particles.v) v2 += v[p] * v[p];
@@ -339,9 +345,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   std::vector<MaterialModel> materials_;
   std::vector<std::uint8_t> material_of_region_; ///< in the present stage
   std::size_t stage_ = 0;
-  double stage_start_ = 0.0; ///< s
-  std::vector<double> start_positions_;
-  Energies start_;
+  double stage_start_ = 0.0;      ///< s
+  std::array<Column, Dim> start_; ///< m, positions before the first step, in the order of creation
+  Energies first_energies_;
   Real fastest_ = 0.0;         ///< m/s, largest speed of a point
   double damping_work_ = 0.0;  ///< J
   double friction_work_ = 0.0; ///< J
@@ -361,9 +367,11 @@ template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const S
   const double tolerance = 1e-6 * state_.grid.h;
   for (std::size_t p = 0; p < n; ++p) {
     bool same = std::abs(start.initial_volume[p] - points.V0[p]) <= 1e-6 * points.V0[p];
-    for (std::size_t i = 0; i < 3; ++i)
-      same = same && std::abs(start.position[3 * p + i] - start.displacement[3 * p + i] -
-                              start_positions_[3 * p + i]) <= tolerance;
+    for (int a = 0; a < Dim; ++a) {
+      const std::size_t i = 3 * p + scene_axis<Dim>(a);
+      same = same && std::abs(start.position[i] - start.displacement[i] -
+                              start_[static_cast<std::size_t>(a)][p]) <= tolerance;
+    }
     if (!same)
       throw SetupError("point " + std::to_string(p) +
                        " of the state to begin from is another than the scene's");
@@ -386,7 +394,7 @@ template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const S
           points.C[Dim * i + j][p] =
               static_cast<Number>(start.velocity_gradient[9 * p + gradient_place<Dim>(i, j)]);
     points.plastic_strain[p] = static_cast<Number>(start.plastic_strain[p]);
-    points.gap[p] = static_cast<Number>(start.gap[p]);
+    if (!points.gap.empty()) points.gap[p] = static_cast<Number>(start.gap[p]);
   }
 }
 
@@ -408,8 +416,8 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
       const Real s = points.tau[i][p] - (i < 3 ? mean : 0.0);
       s2 += (i < 3 ? 1.0 : 2.0) * s * s;
     }
-    now.strain += points.V0[p] *
-                  (mean * (0.5 * mean / moduli.bulk + points.gap[p]) + 0.25 * s2 / moduli.shear);
+    now.strain +=
+        points.V0[p] * (mean * (0.5 * mean / moduli.bulk + gap(p)) + 0.25 * s2 / moduli.shear);
   }
   const auto& nodes = state_.nodal.nodes;
   for (const auto& run : state_.order.node_runs())
@@ -419,8 +427,9 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
   now.wall_friction = friction_work_;
   now.gravitational = loads_.potential(points);
   now.gravity_work = loads_.work(points);
-  now.scheme_loss = now.gravity_work - (now.kinetic - start_.kinetic) -
-                    (now.strain - start_.strain) - now.plastic - now.damping - now.wall_friction;
+  now.scheme_loss = now.gravity_work - (now.kinetic - first_energies_.kinetic) -
+                    (now.strain - first_energies_.strain) - now.plastic - now.damping -
+                    now.wall_friction;
   return now;
 }
 
@@ -447,7 +456,9 @@ std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) con
   };
   if (name == "displacement") {
     values = positions();
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= start_positions_[i];
+    for (int a = 0; a < Dim; ++a)
+      for (std::size_t p = 0; p < points.size(); ++p)
+        values[3 * p + scene_axis<Dim>(a)] -= start_[static_cast<std::size_t>(a)][p];
   } else if (name == "velocity") {
     for (std::size_t p = 0; p < points.size(); ++p)
       for (int a = 0; a < Dim; ++a)
@@ -481,7 +492,7 @@ std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) con
   } else if (name == "initial_volume") {
     scalar([&](std::size_t p) { return points.V0[p]; });
   } else if (name == "gap") {
-    scalar([&](std::size_t p) { return points.gap[p]; });
+    scalar([&](std::size_t p) { return gap(p); });
   } else if (name == "region") {
     scalar([&](std::size_t p) { return static_cast<double>(points.region[p]); });
   }

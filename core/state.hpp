@@ -29,11 +29,11 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
 
   State(const Grid& scene_grid, Particles<Dim, Number> points, bool tracks_fraction = false)
       : grid(scene_grid, Shape::layout), half_point(0.5 / scene_grid.points_per_cell),
-        particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {}
-  /// Bytes.
-  std::size_t memory() const {
-    return particles.memory() + order.memory() + bytes_of(nodal.tiles, nodal.nodes, nodal.volume);
+        particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {
+    if (!tracks_fraction) particles.gap = {};
   }
+  /// Bytes.
+  std::size_t memory() const { return particles.memory() + order.memory() + nodal.memory(); }
 
   State(const State&) = delete; // `order` points to `grid`
   State& operator=(const State&) = delete;

@@ -84,10 +84,10 @@ update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& roo
   for (std::size_t i = 0; i < Dim; ++i) volumetric += step * grad_v[i][i];
   const T lame = number<T>(moduli.bulk - 2.0 / 3.0 * moduli.shear) * volumetric +
                  number<T>(moduli.bulk * dt) * dilation;
-  const auto shear = number<T>(moduli.shear * dt);
+  const auto shear = number<T>(moduli.shear * dt), twice_shear = number<T>(2.0 * moduli.shear * dt);
   for (std::size_t i = 0; i < 3; ++i) tau[i] += lame;
   for (std::size_t i = 0; i < Dim; ++i) {
-    tau[i] += 2.0F * shear * grad_v[i][i];
+    tau[i] += twice_shear * grad_v[i][i];
     for (std::size_t j = i + 1; j < Dim; ++j)
       tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))] +=
           shear * (grad_v[i][j] + grad_v[j][i]);

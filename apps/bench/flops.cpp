@@ -33,7 +33,8 @@ class Counted {
   friend Counted operator/(const Counted& a, const Counted& b) { return one(a.value_ / b.value_); }
   friend Counted operator-(const Counted& a) { return {-a.value_}; }
   friend Counted sqrt(const Counted& a) { return one(std::sqrt(a.value_)); }
-  friend bool operator<(const Counted& a, const Counted& b) { return a.value_ < b.value_; }
+  friend auto operator<=>(const Counted& a, const Counted& b) { return a.value_ <=> b.value_; }
+  friend bool operator==(const Counted& a, const Counted& b) { return a.value_ == b.value_; }
 
  private:
   static Counted one(double value) {
@@ -71,7 +72,7 @@ template <int Dim, class Shape> int interpolation() {
   return count([&] { interpolate(w, [](std::size_t) { return 1.0; }); });
 }
 
-/// A strain increment of a yielding point; the law has no branches.
+/// A strain increment of a yielding point; all of the return is done.
 template <int Dim> int law() {
   DruckerPrager parameters;
   parameters.friction_angle = 20.0;
@@ -115,27 +116,29 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
     cost.flops[static_cast<std::size_t>(phase)] = flops;
     cost.bytes[static_cast<std::size_t>(phase)] = bytes;
   };
-  // A node's numbers: m, fraction, what damping and friction took, and inverse mass, momentum,
-  // force, v, dv; who its cells are: an index and n slots.
+  // A cell's sums, an entry in each of its strip's lines: m, m v and f.  A node's numbers: m,
+  // inverse mass, force, v, dv.
   constexpr double index = 4.0; // B
-  const double tile = (2 + 2 * d) * n * number / points_of_cell;
-  const double node = (4 + 5 * d) * number / points_of_cell;
-  const double neighbours = (1 + n) * index / points_of_cell;
-  const double moments = d * n * number / points_of_cell;
+  constexpr int lines = n / w;
+  const double tile = (1 + 2 * d) * lines * number / points_of_cell;
+  const double node = (2 + 3 * d) * number / points_of_cell;
+  const double neighbours = lines * index / points_of_cell;
+  const double moments = d * lines * number / points_of_cell;
   const double gradients = affine ? d2 * number : 0.0;
 
   set(Phase::sort, 2 * d, d * number + index);
   set(Phase::scatter,
       place + functions + derivatives + (d - 1) * n + d * (d - 1) * n + d + s +
-          (2 + 2 + 2 * d + 2 * d2) * n + (affine ? affine_to_nodes : 0),
+          (2 + 2 * d + 2 * d2) * n + (1 + 2 * d) * n / points_of_cell +
+          (affine ? affine_to_nodes : 0),
       (d + d + t + 2) * number + index + gradients + tile);
-  set(Phase::nodes, ((2 + 2 * d) * n + 2 + d + d + 4 * d + d) / points_of_cell,
+  set(Phase::nodes, ((1 + 2 * d) * lines + 2 + d + d + 4 * d + d) / points_of_cell,
       tile + 2 * neighbours + 3 * node + number / points_of_cell);
   set(Phase::gather,
       place + functions + 2 * d * I + 4 * d + d + 4 * d + 3 * d + (d - 1) * n + d + 2 * d * n +
-          (affine ? affine_of_point + affine_to_nodes : 0),
+          d * n / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
       (d + 2 * d + d + 1) * number + index + 2 * gradients + moments + node);
-  set(Phase::remap, (d * n + d) / points_of_cell, moments + neighbours + 2 * node);
+  set(Phase::remap, (d * lines + d) / points_of_cell, moments + neighbours + 2 * node);
   set(Phase::stress, place + functions + derivatives + d2 * I + I + 2 + law<Dim>() + d + 5 + 2,
       (d + 2 * t + 2 * 4 + 1) * number + index + 1.0 + node);
   set(Phase::move, d, 3 * d * number);
