@@ -1,7 +1,13 @@
 #include "apps/child_process.hpp"
 
+#include "io/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -16,12 +22,30 @@ namespace scarp::apps {
 
 namespace {
 
-/// Several runs share the processors, so threads that wait must not spin.
-std::vector<std::string> child_environment() {
+/// Several processes share the processors, so threads that wait must not spin.
+std::vector<std::string> child_environment(const std::vector<std::string>& more) {
   std::vector<std::string> variables = {"OMP_WAIT_POLICY=passive"};
   for (char** entry = environ; *entry != nullptr; ++entry)
     if (!std::string_view(*entry).starts_with("OMP_WAIT_POLICY=")) variables.emplace_back(*entry);
+  for (const std::string& variable : more) {
+    const std::string_view name = std::string_view(variable).substr(0, variable.find('=') + 1);
+    if (std::ranges::none_of(variables, [&](const auto& has) { return has.starts_with(name); }))
+      variables.push_back(variable);
+  }
   return variables;
+}
+
+/// The last thing that the program said, which is why it ended; else the last line.
+std::string last_words(const std::filesystem::path& log) {
+  constexpr std::string_view name = "scarp: ";
+  std::istringstream text(io::read_text(log));
+  std::string last;
+  std::string said;
+  for (std::string line; std::getline(text, line);) {
+    if (!io::trimmed(line).empty()) last = line;
+    if (line.starts_with(name)) said = line.substr(name.size());
+  }
+  return said.empty() ? last : said;
 }
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
@@ -53,13 +77,22 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 } // namespace
 
+std::string failure_of(const Ending& ending, const std::filesystem::path& log) {
+  if (ending.signal != 0)
+    return fmt::format("killed by signal {} ({})", ending.signal, ::strsignal(ending.signal));
+  if (ending.exit_code == 0) return "";
+  const std::string words = std::filesystem::exists(log) ? last_words(log) : "";
+  return words.empty() ? fmt::format("exit code {}", ending.exit_code) : words;
+}
+
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
-                           const std::filesystem::path& log) {
+                           const std::filesystem::path& log,
+                           const std::vector<std::string>& variables) {
   std::vector<std::string> words = {"scarp"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = child_environment();
+  std::vector<std::string> environment = child_environment(variables);
   const std::vector<char*> argument_list = pointers(words);
-  const std::vector<char*> variable_list = pointers(variables);
+  const std::vector<char*> variable_list = pointers(environment);
   const pid_t parent = ::getpid();
   id_ = ::fork();
   if (id_ < 0) throw std::system_error(errno, std::generic_category(), "fork");

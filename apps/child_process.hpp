@@ -17,12 +17,18 @@ struct Ending {
   int signal = 0;     ///< that ended it
 };
 
+/// Why a process failed that wrote to the log: the last thing the program said, or else its exit
+/// code or signal.  Empty if it ended well.
+std::string failure_of(const Ending& ending, const std::filesystem::path& log);
+
 /// `scarp ARGUMENTS...` with its output in a file.  It ends with the thread that made it, however
 /// that ends (PR_SET_PDEATHSIG): the main thread should.
 class ChildProcess {
  public:
+  /// `variables` (NAME=VALUE) are for its environment unless that has the name already.
   /// Throws std::system_error.
-  ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& log);
+  ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& log,
+               const std::vector<std::string>& variables = {});
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   /// Kills it if it has not ended.

@@ -1,11 +1,14 @@
 // scarp render DIR
 #include "apps/commands.hpp"
+#include "apps/render_jobs.hpp"
+#include "apps/render_part.hpp"
 
 #include "io/series.hpp"
 #include "render/frame_figure.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <optional>
@@ -65,6 +68,8 @@ struct Options {
   std::string frames = "all";
   std::string colours = "viridis";
   std::vector<double> range;
+  int jobs = 0;
+  std::filesystem::path part; ///< of a process that another one started; its words are this one's
 };
 
 void require_column(const io::Frame& frame, const std::string& name) {
@@ -75,17 +80,10 @@ void require_column(const io::Frame& frame, const std::string& name) {
   }
 }
 
-void render_series(Options options) {
-  const io::SeriesReader series(options.series);
-  const std::vector<std::size_t> frames = chosen_frames(options.frames, series.size());
-  if (frames.empty()) throw std::runtime_error("the series has no frames");
-  if (options.out.empty())
-    options.out = std::filesystem::is_directory(options.series) ? options.series
-                                                                : options.series.parent_path();
-  render::FrameStyle& style = options.style;
-  style.colours = render::colour_map(options.colours);
-
-  // One range and one view for the whole series, whichever frames are drawn of it.
+/// One range and one view for the whole series, whichever frames are drawn of it.
+RenderPart whole_series(const io::SeriesReader& series, std::vector<std::size_t> frames,
+                        const Options& options) {
+  const render::FrameStyle& style = options.style;
   std::optional<render::ValueSpread> spread;
   std::optional<render::Box> view;
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -95,24 +93,69 @@ void render_series(Options options) {
     spread = spread ? render::united(*spread, here) : here;
     view = view ? render::united(*view, render::body_view(frame)) : render::body_view(frame);
   }
-  style.range = render::round_range(*spread, style.bands);
+  render::ColourRange range = render::round_range(*spread, style.bands);
   if (!options.range.empty()) {
     if (options.range[1] <= options.range[0])
       throw UsageError("--range: the upper end must be above the lower");
-    style.range->lower = options.range[0];
-    style.range->upper = options.range[1];
-    style.range->bands = style.bands;
-    style.range->values_below = spread->least < options.range[0];
-    style.range->values_above = spread->largest > options.range[1];
+    range.lower = options.range[0];
+    range.upper = options.range[1];
+    range.bands = style.bands;
+    range.values_below = spread->least < options.range[0];
+    range.values_above = spread->largest > options.range[1];
   }
-  style.view = view;
+  return {std::move(frames), range, *view};
+}
 
-  make_directory(options.out);
-  for (const std::size_t index : frames) {
-    const std::filesystem::path file =
-        options.out / fmt::format("{}_{}_{:06}.png", series.name(), style.field.name, index);
-    render::write_png(file, render::render_frame(series.read(index), style));
-    fmt::print("{}\n", file.string());
+/// The words of the command line that the command was called with.
+std::vector<std::string> words_of(const CLI::App& command) {
+  std::vector<std::string> words = {command.get_name()};
+  std::vector<std::string> positionals;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (values.empty()) continue;
+    if (option->get_positional()) {
+      positionals.insert(positionals.end(), values.begin(), values.end());
+    } else if (values.size() == 1) {
+      words.push_back(option->get_name() + "=" + values.front());
+    } else {
+      words.push_back(option->get_name());
+      words.insert(words.end(), values.begin(), values.end());
+    }
+  }
+  words.emplace_back("--");
+  words.insert(words.end(), positionals.begin(), positionals.end());
+  return words;
+}
+
+void render_series(Options options, const std::vector<std::string>& words) {
+  const io::SeriesReader series(options.series);
+  options.style.colours = render::colour_map(options.colours);
+  if (options.out.empty())
+    options.out = std::filesystem::is_directory(options.series) ? options.series
+                                                                : options.series.parent_path();
+  RenderPart part;
+  if (options.part.empty()) {
+    const std::vector<std::size_t> frames = chosen_frames(options.frames, series.size());
+    if (frames.empty()) throw std::runtime_error("the series has no frames");
+    part = whole_series(series, frames, options);
+    make_directory(options.out);
+  } else {
+    part = read_part(options.part);
+  }
+  options.style.range = part.range;
+  options.style.view = part.view;
+
+  const auto picture = [&](std::size_t index) {
+    return options.out /
+           fmt::format("{}_{}_{:06}.png", series.name(), options.style.field.name, index);
+  };
+  const std::size_t jobs =
+      options.part.empty() ? std::min(job_count(options.jobs), part.frames.size()) : 1;
+  if (jobs > 1) draw_side_by_side(words, part, jobs);
+  for (const std::size_t index : part.frames) {
+    if (jobs == 1)
+      render::write_png(picture(index), render::render_frame(series.read(index), options.style));
+    fmt::print("{}\n", picture(index).string());
   }
 }
 
@@ -150,8 +193,10 @@ void add_render(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--title", options->style.title, "Words above the picture");
   command->add_flag("--points", options->style.draw_points, "Material points instead of bands");
+  add_jobs(*command, options->jobs, "Processes that draw");
+  command->add_option("--part", options->part)->group(""); // between the processes of --jobs
   command->footer("Example:\n  scarp render out/pile --field velocity --frames last");
-  command->callback([options] { render_series(*options); });
+  command->callback([options, command] { render_series(*options, words_of(*command)); });
 }
 
 } // namespace scarp::apps

@@ -31,8 +31,7 @@ void add_reproduce(CLI::App& program) {
   CLI::App* wu = command->add_subcommand(
       "wu2017", "Surcharge-induced landslide (Wu et al. 2017, fig. 6-12, table 1, eqs. 20-27)");
   wu->add_option("--out", slope->out, "Directory for the results")->required();
-  wu->add_option("--jobs", slope->jobs, "Runs side by side; default: one a processor")
-      ->check(CLI::Range(1, 1024));
+  add_jobs(*wu, slope->jobs, "Runs");
   wu->add_option("--set", slope->set, "key=value that overrides the scene of all runs; repeatable")
       ->allow_extra_args(false);
   wu->footer("Finished scenarios are kept: a call that was stopped goes on where it was.\n"

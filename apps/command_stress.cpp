@@ -11,8 +11,6 @@
 
 #include <memory>
 
-#include <omp.h>
-
 namespace scarp::apps {
 
 namespace {
@@ -109,7 +107,7 @@ void run(const Options& options) {
   std::filesystem::remove_all(options.out / "failed"); // of an earlier call
   StudyProgress progress;
   StudyState state{.scenarios = options.scenes};
-  const int jobs = options.jobs > 0 ? options.jobs : omp_get_num_procs();
+  const int jobs = static_cast<int>(job_count(options.jobs));
   const auto results = run_stress_scenes(
       options.preset, options.seed, options.scenes, jobs, [&](const StressResult& result) {
         ++state.finished;
@@ -138,8 +136,7 @@ void add_stress(CLI::App& program) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, Preset>{
           {"accurate", Preset::accurate}, {"fidelity", Preset::fidelity}}))
       ->default_str("accurate");
-  command->add_option("--jobs", options->jobs, "Scenes side by side; default: one a processor")
-      ->check(CLI::Range(1, 1024));
+  add_jobs(*command, options->jobs, "Scenes");
   command->footer("A scene that fails is written as a scene file, for `scarp run`.\n"
                   "Example:\n  scarp stress --scenes 2000 --seed 1 --out out/stress");
   command->callback([options] { run(*options); });

@@ -80,8 +80,7 @@ void add_study(CLI::App& program) {
       ->required();
   command->add_option("--out", options->run.out, "Directory for the runs and results.csv")
       ->required();
-  command->add_option("--jobs", options->run.jobs, "Runs side by side; default: one a processor")
-      ->check(CLI::Range(1, 1024));
+  add_jobs(*command, options->run.jobs, "Runs");
   command->add_option("--threads", options->run.threads, "Threads of each run")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,12 @@ void add_study(CLI::App& program);
 void add_safety(CLI::App& program);
 void add_stress(CLI::App& program);
 void add_bench(CLI::App& program);
+
+/// The option --jobs of a command that does WHAT side by side; `jobs` stays 0 unless it is given.
+CLI::Option* add_jobs(CLI::App& command, int& jobs, const std::string& what);
+
+/// As many as were asked for; 0: as many as there are processors for this program.
+std::size_t job_count(int jobs);
 
 /// The scenes and references that belong to the program: $SCARP_DATA, or `data` beside the build
 /// folder, or share/scarp beside the installed program.  Throws std::runtime_error with where it

@@ -20,19 +20,24 @@ class ProgressRecorder final : public io::RunRecorder {
       : RunRecorder(scene, simulation, directory, name, threads),
         line_(simulation.time(), end_time(scene)) {}
 
-  void progress(const Simulation& simulation) override { line_.update(simulation); }
+  void progress(const Simulation& simulation) override {
+    RunRecorder::progress(simulation);
+    line_.update(simulation);
+  }
 
  private:
   ProgressLine line_;
 };
 
-void print_plan(const Scene& scene, const Simulation& simulation, int threads) {
+void print_plan(const Scene& scene, const Simulation& simulation, const io::RunRecorder& recorder,
+                int threads) {
   std::printf("%s\n", scene.title.empty() ? "untitled scene" : scene.title.c_str());
   std::printf("  %-15s %zu points in %zu of %zu cells, first step %.3g s, %d thread%s\n", "size",
               simulation.points(), simulation.occupied_cells(), simulation.cells(),
               simulation.stable_time_step(), threads, threads == 1 ? "" : "s");
-  for (const PlanLine& line : simulation.plan())
-    std::printf("  %-15s %s\n", line.what.c_str(), line.how.c_str());
+  for (const std::vector<PlanLine>& lines : {simulation.plan(), recorder.plan()})
+    for (const PlanLine& line : lines)
+      std::printf("  %-15s %s\n", line.what.c_str(), line.how.c_str());
   std::fflush(stdout);
 }
 
@@ -44,9 +49,9 @@ RunOutcome run_scene(const Scene& scene, const std::filesystem::path& directory,
   const int used = omp_get_max_threads();
   const std::unique_ptr<Simulation> simulation = io::make_simulation_from_files(scene);
   make_directory(directory);
-  print_plan(scene, *simulation, used);
-
   ProgressRecorder recorder(scene, *simulation, directory, name, used);
+  print_plan(scene, *simulation, recorder, used);
+
   RunSummary summary;
   try {
     summary = run(*simulation, scene.timing, recorder);

@@ -9,19 +9,14 @@
 #include "io/atomic_file.hpp"
 #include "io/file_descriptor.hpp"
 #include "io/scene_file.hpp"
-#include "io/text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <system_error>
-
-#include <omp.h>
 
 namespace scarp::apps {
 
@@ -46,33 +41,11 @@ struct Task {
   fs::path failed() const { return fs::path(own) += ".failed"; }
 };
 
-/// The last thing that the program said, which is why it ended; else the last line.
-std::string last_words(const fs::path& log) {
-  constexpr std::string_view name = "scarp: ";
-  std::istringstream text(io::read_text(log));
-  std::string last;
-  std::string said;
-  for (std::string line; std::getline(text, line);) {
-    if (!io::trimmed(line).empty()) last = line;
-    if (line.starts_with(name)) said = line.substr(name.size());
-  }
-  return said.empty() ? last : said;
-}
-
-/// Empty if it ended well.
-std::string failure_of(const Ending& ending, const fs::path& log) {
-  if (ending.signal != 0)
-    return fmt::format("killed by signal {} ({})", ending.signal, ::strsignal(ending.signal));
-  if (ending.exit_code == 0) return "";
-  const std::string words = fs::exists(log) ? last_words(log) : "";
-  return words.empty() ? fmt::format("exit code {}", ending.exit_code) : words;
-}
-
 class StudyRun {
  public:
   StudyRun(const io::Study& study, const StudyPlan& plan, const StudyOptions& options)
       : study_(study), plan_(plan), options_(options) {
-    jobs_ = static_cast<std::size_t>(options.jobs > 0 ? options.jobs : omp_get_num_procs());
+    jobs_ = job_count(options.jobs);
     if (options.shard.count == 1) remove_partial_beginnings();
     for (std::size_t i = options.shard.index - 1; i < plan.runs.size(); i += options.shard.count)
       prepare(plan.runs[i]);

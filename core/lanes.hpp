@@ -136,10 +136,13 @@ template <class T>
   values.copy_to(to, std::experimental::element_aligned);
 }
 
+// The lambdas of the passes are always_inline: GCC takes the larger ones out of line, and all
+// registers with them through memory.
+
 /// Calls visit(0) ... visit(n - 1) with compile-time numbers, so that what they index stays in
 /// registers.
 template <std::size_t n, class Visit> [[gnu::always_inline]] inline void unrolled(Visit&& visit) {
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
     (visit(std::integral_constant<std::size_t, k>()), ...);
   }
   (std::make_index_sequence<n>());
@@ -156,33 +159,37 @@ template <int nodes, class T> struct NodeLanes {
   std::array<Lanes, packs> pack;
 
   [[gnu::always_inline]] NodeLanes() {
-    unrolled<packs>([&](auto k) { pack[k] = T(0); });
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) { pack[k] = T(0); });
   }
   [[gnu::always_inline]] explicit NodeLanes(const Table& table) {
-    unrolled<packs>([&](auto k) { pack[k] = Lanes(&table[k * width], plain); });
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) {
+      pack[k] = Lanes(&table[k * width], plain);
+    });
   }
 
   [[gnu::always_inline]] std::array<T, nodes> values() const {
     std::array<T, packs * width> all;
-    unrolled<packs>([&](auto k) { pack[k].copy_to(&all[k * width], plain); });
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) {
+      pack[k].copy_to(&all[k * width], plain);
+    });
     std::array<T, nodes> some;
     std::copy_n(all.begin(), some.size(), some.begin());
     return some;
   }
 
   [[gnu::always_inline]] NodeLanes& operator+=(const NodeLanes& b) {
-    unrolled<packs>([&](auto k) { pack[k] += b.pack[k]; });
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) { pack[k] += b.pack[k]; });
     return *this;
   }
   [[gnu::always_inline]] friend NodeLanes operator+(NodeLanes a, const NodeLanes& b) {
     return a += b;
   }
   [[gnu::always_inline]] friend NodeLanes operator*(NodeLanes a, const NodeLanes& b) {
-    unrolled<packs>([&](auto k) { a.pack[k] *= b.pack[k]; });
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) { a.pack[k] *= b.pack[k]; });
     return a;
   }
   [[gnu::always_inline]] friend NodeLanes operator*(NodeLanes a, T b) {
-    unrolled<packs>([&](auto k) { a.pack[k] *= Lanes(b); });
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) { a.pack[k] *= Lanes(b); });
     return a;
   }
 

@@ -33,8 +33,12 @@ template <int Dim, class Number_ = Real> struct LinearShape : Stencil<Dim, 2, Nu
 
     [[gnu::always_inline]] StencilLanes<Dim, power(2, Dim), Number_>
     operator()(const Vec<Dim, Number_>& xi) const {
-      const auto dw = [&](std::size_t a) { return AtNodes(tables[1][a]); };
-      const auto w = [&](std::size_t a) { return AtNodes(tables[0][a]) + dw(a) * xi[a]; };
+      const auto dw = [&](std::size_t a) __attribute__((always_inline)) {
+        return AtNodes(tables[1][a]);
+      };
+      const auto w = [&](std::size_t a) __attribute__((always_inline)) {
+        return AtNodes(tables[0][a]) + dw(a) * xi[a];
+      };
       return {w, dw};
     }
 

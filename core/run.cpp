@@ -53,9 +53,11 @@ class Multiples {
 
 } // namespace
 
+double history_interval(const Timing& timing) {
+  return timing.history_interval > 0.0 ? timing.history_interval : 0.1 * timing.output_interval;
+}
+
 RunSummary run(Simulation& simulation, const Timing& timing, Observer& observer) {
-  const double history_interval =
-      timing.history_interval > 0.0 ? timing.history_interval : 0.1 * timing.output_interval;
   RunSummary summary;
   summary.shortest_step = std::numeric_limits<double>::infinity();
   std::optional<RestWatch> rest;
@@ -77,7 +79,7 @@ RunSummary run(Simulation& simulation, const Timing& timing, Observer& observer)
   };
 
   Multiples frames(timing.output_interval, simulation.time());
-  Multiples rows(history_interval, simulation.time());
+  Multiples rows(history_interval(timing), simulation.time());
   observer.frame(simulation);
   double last_frame = simulation.time();
   for (bool first = true;; first = false) {

@@ -15,6 +15,9 @@ struct RunSummary {
   double longest_step = 0.0;  ///< s
 };
 
+/// s between rows of the history: as the timing says, or a tenth of the output interval.
+double history_interval(const Timing& timing);
+
 /// What a run reports to; every function does nothing unless overridden.
 class Observer {
  public:
@@ -26,6 +29,8 @@ class Observer {
   /// At time 0, at every multiple of the output interval, at the end, and with the positions of the
   /// last good step when the run fails.
   virtual void frame(const Simulation&) {}
+  /// At time 0 and at the first step at or after every multiple of the history interval; energies
+  /// are computed for these rows alone.
   virtual void history(const Simulation&, const Energies&) {}
   /// After every step.
   virtual void progress(const Simulation&) {}

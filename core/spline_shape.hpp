@@ -61,12 +61,16 @@ template <int Dim, class Number_ = Real> struct SplineShape : Stencil<Dim, 3, Nu
 
     [[gnu::always_inline]] StencilLanes<Dim, power(3, Dim), Number_>
     operator()(const Vec<Dim, Number_>& xi) const {
-      const auto term = [&](std::size_t a, std::size_t k) { return AtNodes((*axis_[a])[k]); };
-      const auto line = [&](std::size_t a, std::size_t k) {
+      const auto term = [&](std::size_t a, std::size_t k) __attribute__((always_inline)) {
+        return AtNodes((*axis_[a])[k]);
+      };
+      const auto line = [&](std::size_t a, std::size_t k) __attribute__((always_inline)) {
         return term(a, k) + term(a, k + 1) * xi[a];
       };
-      const auto w = [&](std::size_t a) { return line(a, 0) * line(a, 2) + term(a, 4); };
-      const auto dw = [&](std::size_t a) { return line(a, 5); };
+      const auto w = [&](std::size_t a) __attribute__((always_inline)) {
+        return line(a, 0) * line(a, 2) + term(a, 4);
+      };
+      const auto dw = [&](std::size_t a) __attribute__((always_inline)) { return line(a, 5); };
       return {w, dw};
     }
 

@@ -31,6 +31,7 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
       : grid(scene_grid, Shape::layout), half_point(0.5 / scene_grid.points_per_cell),
         particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {
     if (!tracks_fraction) particles.gap = {};
+    particles.for_each_column([](auto& column) { column.shrink_to_fit(); });
   }
   /// Bytes.
   std::size_t memory() const { return particles.memory() + order.memory() + nodal.memory(); }

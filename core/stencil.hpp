@@ -42,7 +42,7 @@ template <int Dim, int width, class T = Real> struct AlongAxes {
 template <std::size_t axes, class T, std::size_t width, std::size_t Dim, class Value>
 [[gnu::always_inline]] inline T interpolate_axes(const std::array<std::array<T, width>, Dim>& w,
                                                  const Value& value, std::size_t first) {
-  const auto part = [&](std::size_t k) -> T {
+  const auto part = [&](std::size_t k) __attribute__((always_inline))->T {
     if constexpr (axes == 1)
       return T(value(first + k));
     else
@@ -113,10 +113,10 @@ template <int Dim, int nodes, class T> struct StencilLanes {
   /// Of the functions along the axes and their derivatives, at the nodes: w(axis), dw(axis).
   template <class Functions, class Derivatives>
   [[gnu::always_inline]] StencilLanes(const Functions& w, const Derivatives& dw) : N(w(0)) {
-    unrolled<Dim>([&](auto a) {
+    unrolled<Dim>([&](auto a) __attribute__((always_inline)) {
       if constexpr (a > 0) N = N * w(a);
       dN[a] = dw(a);
-      unrolled<Dim>([&](auto b) {
+      unrolled<Dim>([&](auto b) __attribute__((always_inline)) {
         if constexpr (a != b) dN[a] = dN[a] * w(b);
       });
     });

@@ -5,11 +5,24 @@
 #include "io/json_record.hpp"
 #include "io/scene_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
 
 namespace scarp::io {
+
+namespace {
+
+std::vector<std::string> written_fields(const Scene& scene) {
+  if (!scene.output.fields.empty()) return scene.output.fields;
+  std::vector<std::string> names;
+  for (const FieldInfo& info : field_table()) names.push_back(info.name);
+  return names;
+}
+
+} // namespace
 
 Frame frame_of(const Simulation& simulation, const Scene& scene) {
   Frame frame;
@@ -20,13 +33,8 @@ Frame frame_of(const Simulation& simulation, const Scene& scene) {
   frame.lower = scene.grid.lower;
   frame.upper = scene.grid.upper;
   frame.position = simulation.positions();
-  const auto add = [&](const std::string& name) {
+  for (const std::string& name : written_fields(scene))
     frame.columns.push_back({name, field_info(name).components, simulation.field(name)});
-  };
-  if (scene.output.fields.empty())
-    for (const FieldInfo& info : field_table()) add(info.name);
-  else
-    for (const std::string& name : scene.output.fields) add(name);
   return frame;
 }
 
@@ -60,18 +68,20 @@ long peak_memory_kib() {
 
 RunRecorder::RunRecorder(const Scene& scene, const Simulation& simulation,
                          std::filesystem::path directory, const std::string& name, int threads)
-    : scene_(scene), directory_(std::move(directory)), threads_(threads),
-      series_(directory_, name) {
+    : scene_(scene), directory_(std::move(directory)), threads_(threads), series_(directory_, name),
+      frames_([this](const Frame& frame) { series_.write(frame); }) {
   history_.emplace(directory_ / "history.csv", history_columns(scene));
   for (const Monitor& monitor : scene.monitors)
     monitored_.push_back(simulation.nearest_point(monitor.position));
 }
 
 void RunRecorder::frame(const Simulation& simulation) {
-  series_.write(frame_of(simulation, scene_));
+  frames_.wait_for_room();
+  frames_.push(frame_of(simulation, scene_));
 }
 
 void RunRecorder::history(const Simulation& simulation, const Energies& energies) {
+  frames_.check();
   std::vector<double> row = {simulation.time(),     static_cast<double>(simulation.steps()),
                              energies.kinetic,      energies.grid_kinetic,
                              energies.strain,       energies.gravitational,
@@ -87,8 +97,40 @@ void RunRecorder::history(const Simulation& simulation, const Energies& energies
   history_->row(row);
 }
 
+void RunRecorder::progress(const Simulation&) { frames_.check(); }
+
+std::vector<PlanLine> RunRecorder::plan() const {
+  const Timing& timing = scene_.timing;
+  const std::vector<std::string> fields = written_fields(scene_);
+  const std::size_t skipped = field_table().size() - fields.size();
+  std::vector<std::string> monitors;
+  for (const Monitor& monitor : scene_.monitors) monitors.push_back(monitor.name);
+  const bool until_rest =
+      scene_.stages.empty() ? timing.rest_energy_fraction > 0.0 : scene_.stages.back().until_rest;
+  const std::string end = fmt::format("{:.6g} s", end_time(scene_));
+  return {
+      {"frames", fmt::format("every {:.4g} s, to which steps are cut; written by another thread, "
+                             "from at most {} copies",
+                             timing.output_interval, FrameQueue::most_waiting + 1)},
+      {"fields", skipped == 0
+                     ? fmt::format("all {}", fields.size())
+                     : fmt::format("{}; the other {} skipped", fmt::join(fields, ", "), skipped)},
+      {"history", fmt::format("energies and front every {:.4g} s, at the first step from then on; "
+                              "skipped in between",
+                              history_interval(timing))},
+      {"monitors",
+       monitors.empty() ? "none, skipped" : fmt::format("{}", fmt::join(monitors, ", "))},
+      {"end", until_rest ? fmt::format(
+                               "at rest (grid's kinetic energy below {:.4g} of its peak for {:.4g} "
+                               "s), else at {}",
+                               timing.rest_energy_fraction, timing.rest_duration, end)
+                         : fmt::format("at {}; rest is not looked for", end)},
+  };
+}
+
 void RunRecorder::finish(const Simulation& simulation, const std::optional<RunSummary>& summary,
                          const std::string& failure) {
+  frames_.finish();
   const double wall = wall_seconds();
   const double work =
       static_cast<double>(simulation.points()) * static_cast<double>(simulation.steps());
@@ -122,6 +164,7 @@ void RunRecorder::finish(const Simulation& simulation, const std::optional<RunSu
                                               {"wall_friction", energies.wall_friction},
                                               {"scheme_loss", energies.scheme_loss}};
   for (const PlanLine& line : simulation.plan()) record["plan"][line.what] = line.how;
+  for (const PlanLine& line : plan()) record["plan"][line.what] = line.how;
   record["scene"] = scene_to_json(scene_);
   write_json(directory_ / "run.json", record);
 }

@@ -1,5 +1,6 @@
 #include "io/scene_beginning.hpp"
 
+#include "core/run.hpp"
 #include "io/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ std::optional<Scene> beginning_of(const Scene& scene) {
   keep_used_materials(cut);
   // No frame is due after the end: an interval may not be longer than the run.
   Timing& timing = cut.timing;
-  if (timing.history_interval == 0.0) timing.history_interval = 0.1 * timing.output_interval;
+  timing.history_interval = history_interval(timing);
   timing.output_interval = std::min(timing.output_interval, end_time(cut));
   return cut;
 }

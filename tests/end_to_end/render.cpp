@@ -1,5 +1,6 @@
 // scarp render: pictures of a series.
 #include "tests/end_to_end/program.hpp"
+#include "tests/end_to_end/study_fixture.hpp"
 
 namespace scarp::test {
 
@@ -59,6 +60,62 @@ TEST_F(Render, DrawsAFrameAlikeAloneAndAmongOthers) {
   fs::remove(file);
   expect_success(render({"--frames", "2"}));
   EXPECT_TRUE(content(file) == among);
+}
+
+/// The pictures of one process and of several, for words that are handed on as they were given.
+TEST_F(Render, DrawsTheSamePicturesWithAnyNumberOfJobs) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{},
+        {"--field=velocity", "--component", "2", "--range", "-0.3", "0.1", "--bands", "7"},
+        {"--points", "--title", "--a = b", "--colours", "inferno", "--frames", "5,1-3"}}) {
+    std::map<std::string, std::string> bytes;
+    std::string said;
+    for (const char* jobs : {"1", "2", "3"}) {
+      fs::remove_all(*this / "pictures");
+      std::vector<std::string> words = more;
+      words.insert(words.end(), {"--jobs", jobs});
+      const Result result = render(words);
+      expect_success(result);
+      if (said.empty()) said = result.out;
+      EXPECT_EQ(result.out, said);
+      const std::vector<std::string> names = names_in(*this / "pictures");
+      EXPECT_EQ(names.size(), lines_of(said).size());
+      for (const std::string& name : names) {
+        const std::string now = content(*this / "pictures" / name);
+        EXPECT_TRUE(bytes.emplace(name, now).first->second == now) << name << ", jobs " << jobs;
+      }
+    }
+  }
+}
+
+TEST_F(Render, SaysOnceWhatOneOfItsJobsCouldNotDraw) {
+  fs::create_directories(*this / "pictures/block_equivalent_plastic_strain_000003.png");
+  expect_complaint(render({"--jobs", "2"}), 1,
+                   {"cannot write pictures/block_equivalent_plastic_strain_000003.png"});
+  // One job had 0, 2 and 4 to draw, the other 1, 3 and 5.
+  for (const char* frame : {"0", "1", "2", "4"}) {
+    const std::string name = std::string("block_equivalent_plastic_strain_00000") + frame + ".png";
+    EXPECT_EQ(png_size(*this / "pictures" / name), (Size{320, 240})) << name;
+  }
+  EXPECT_EQ(names_in(*this / "pictures").size(), 5U);
+}
+
+TEST_F(Render, EndsItsJobsWhenItIsEnded) {
+  const std::string out = (*this / "pictures").string();
+  std::string frames = "0-5";
+  for (int i = 0; i < 200; ++i) frames += ",0-5";
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    fs::remove_all(out);
+    Program program(directory_, {"render", "out", "--out", out, "--frames", frames, "--jobs", "2"});
+    await(*this / "pictures/block_equivalent_plastic_strain_000001.png");
+    EXPECT_EQ(processes_with(out).size(), 3U);
+    program.kill(signal);
+    if (signal == SIGKILL)
+      EXPECT_EQ(program.wait().signal, SIGKILL);
+    else
+      expect_complaint(program.wait(), 1, {"stopped ("});
+    expect_no_processes_with(out);
+  }
 }
 
 TEST_F(Render, NamesTheFieldsThereAreWhenAskedForAnother) {

@@ -35,6 +35,7 @@ TEST_F(FinishedRun, WritesASeriesAHistoryAndARecordThatAgree) {
   expect_success(result); // no progress line: this is no terminal
   EXPECT_NE(result.out.find("400 points in 100 of 450 cells"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("end time at 0.1 s"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  fields          all 12\n"), std::string::npos) << result.out;
   EXPECT_EQ(names_in(*this / "out"),
             (std::vector<std::string>{"block.pvd", "block_000000.vtp", "block_000001.vtp",
                                       "block_000002.vtp", "block_000003.vtp", "block_000004.vtp",

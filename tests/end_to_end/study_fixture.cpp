@@ -61,4 +61,12 @@ std::vector<std::string> processes_with(const std::string& text) {
   return ids;
 }
 
+void expect_no_processes_with(const std::string& text) {
+  using std::chrono::steady_clock;
+  const auto deadline = steady_clock::now() + std::chrono::seconds(20);
+  while (!processes_with(text).empty() && steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(processes_with(text), std::vector<std::string>());
+}
+
 } // namespace scarp::test

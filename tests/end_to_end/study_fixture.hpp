@@ -120,4 +120,7 @@ void await(const fs::path& file);
 /// The ids of processes that were given a word with this text.
 std::vector<std::string> processes_with(const std::string& text);
 
+/// Waits until there are none, at most a moment.
+void expect_no_processes_with(const std::string& text);
+
 } // namespace scarp::test

@@ -1,7 +1,6 @@
 // scarp study: calls that do not come to their end.
 #include "tests/end_to_end/study_fixture.hpp"
 
-#include <chrono>
 #include <csignal>
 #include <thread>
 
@@ -26,14 +25,6 @@ class InterruptedStudy : public StudyTest {
   /// One job: a has finished then.
   void await_second() const { await(*this / "out/b.partial/history.csv"); }
 };
-
-void expect_no_processes_with(const std::string& text) {
-  using std::chrono::steady_clock;
-  const auto deadline = steady_clock::now() + std::chrono::seconds(20);
-  while (!processes_with(text).empty() && steady_clock::now() < deadline)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_EQ(processes_with(text), std::vector<std::string>());
-}
 
 TEST_F(InterruptedStudy, KilledItLeavesOnlyWholeAndPartialRunsAndGoesOnLater) {
   const std::string out = (*this / "out").string();
