@@ -35,6 +35,9 @@ void print_plan(const Scene& scene, const Simulation& simulation, const io::RunR
   std::printf("  %-15s %zu points in %zu of %zu cells, first step %.3g s, %d thread%s\n", "size",
               simulation.points(), simulation.occupied_cells(), simulation.cells(),
               simulation.stable_time_step(), threads, threads == 1 ? "" : "s");
+  std::printf("  %-15s %.1f MiB, %.0f bytes a point\n", "memory",
+              static_cast<double>(simulation.memory()) / (1024.0 * 1024.0),
+              static_cast<double>(simulation.memory()) / static_cast<double>(simulation.points()));
   for (const std::vector<PlanLine>& lines : {simulation.plan(), recorder.plan()})
     for (const PlanLine& line : lines)
       std::printf("  %-15s %s\n", line.what.c_str(), line.how.c_str());

@@ -41,7 +41,11 @@ std::vector<NamedMethod> methods(Effort effort) {
       {"B-spline", method(bspline)},
       {"B-spline, cell averages", method(bspline, flip, VolumeRate::cell_average)},
       {"B-spline, APIC", method(bspline, apic)}};
+  all.push_back({"linear, single precision", method(linear)});
+  all.back().how.method.precision = Precision::single;
   if (effort == Effort::quick) return all;
+  all.push_back({"B-spline, single precision", method(bspline)});
+  all.back().how.method.precision = Precision::single;
   all.push_back({"GIMP, APIC", method(gimp, apic)});
   all.push_back({"B-spline, AFLIP", method(bspline, aflip)});
   for (const int points : {3, 4}) {

@@ -23,6 +23,7 @@ class Counted final : public Simulation {
   double time() const override { return inner_->time(); }
   long steps() const override { return inner_->steps(); }
   std::size_t points() const override { return inner_->points(); }
+  std::size_t memory() const override { return inner_->memory(); }
   std::size_t cells() const override { return inner_->cells(); }
   std::size_t occupied_cells() const override { return inner_->occupied_cells(); }
   bool waits_for_gate() const override { return inner_->waits_for_gate(); }
