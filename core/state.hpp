@@ -30,7 +30,7 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   State(const Grid& scene_grid, Particles<Dim, Number> points, bool tracks_fraction = false)
       : grid(scene_grid, Shape::layout), half_point(0.5 / scene_grid.points_per_cell),
         particles(std::move(points)), order(grid), nodal(grid, tracks_fraction) {
-    if (!tracks_fraction) particles.gap.clear();
+    if (!tracks_fraction) particles.gap = ColumnOf<Number>();
     particles.for_each_column([](auto& column) { column.shrink_to_fit(); });
   }
   /// Bytes.
