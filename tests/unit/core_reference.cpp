@@ -73,7 +73,8 @@ template <int Dim, class Shape> std::unique_ptr<State<Dim, Shape>> random_state(
 
 /// Of numbers in the precision of `a`: one part in 10^13, or in 10^5 (sums cancel).
 template <class T>
-void expect_same(const ColumnOf<T>& a, const Column& b, const char* what, double tolerance = 1e-13) {
+void expect_same(const ColumnOf<T>& a, const Column& b, const char* what,
+                 double tolerance = 1e-13) {
   if (std::is_same_v<T, float>) tolerance = 2e-5;
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
