@@ -4,6 +4,8 @@
 
 #include "core/reference/gather_pass.hpp"
 
+#include <limits>
+
 namespace scarp {
 
 /// dx_p = dt sum_I N_I v_I
@@ -74,11 +76,13 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
             if constexpr (remap) store_lanes(m * v, m_v[i] + k);
             v2 += v * v;
             v_grid2 += v_I * v_I;
-            // In T this may round to the grid's very end: the order finds such a point in its cell.
+            // In T; where it is within T's rounding of a side, the position itself decides below.
             const Pack<T> x_new = rows.map(points.x[i], [&](const auto& x) {
               return state.grid.scaled(x, i);
             }) + dx * number<T>(state.grid.inv_h);
-            inside = inside && x_new >= 0.0F && x_new < number<T>(state.grid.cells[i]);
+            const auto end = number<T>(state.grid.cells[i]);
+            const T near = 4 * std::numeric_limits<T>::epsilon() * end;
+            inside = inside && x_new >= near && x_new < end - near;
           }
           v2 = max(v2, v_grid2);
           if (rows.size() == RowPack<T>::capacity)
@@ -87,8 +91,12 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
             for (std::size_t lane = 0; lane < rows.size(); ++lane)
               fastest2 = std::max(fastest2, static_cast<Real>(v2[lane]));
           if (!all_of(inside))
-            for (std::size_t lane = 0; lane < rows.size(); ++lane)
-              if (!inside[lane]) outside = std::min(outside, points.id[block.rows[k + lane]]);
+            for (std::size_t lane = 0; lane < rows.size(); ++lane) {
+              const std::size_t p = block.rows[k + lane];
+              Vec<Dim> x_new;
+              for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
+              if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
+            }
         }
 
         if constexpr (remap) {

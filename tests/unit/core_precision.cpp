@@ -61,6 +61,24 @@ TEST(SinglePrecision, TheOriginDoesNotMatter) {
   EXPECT_LT(largest_difference(here, away), 1e-6);
 }
 
+/// A million cells away from the lower side floats are 1/16 of a cell apart; a ten-thousandth of a
+/// cell still decides whether a point leaves the grid.
+TEST(SinglePrecision, TheSideOfTheGridIsWhereItIs) {
+  constexpr double cells = 1 << 20;
+  Scene scene;
+  scene.grid = grid_2d(1.0, {0.0, 0.0}, {cells, 2.0});
+  scene.gravity = {};
+  scene.materials = {elastic("m", 1000.0, 1e-6, 0.0)};
+  // Points at 1/4 and 3/4 of the cells.
+  scene.regions = {box("b", "m", {cells - 2.0, 0.0}, {cells, 1.0}, {1.0, 0.0, 0.0})};
+  scene.method.precision = Precision::single;
+  scene.timing.cfl = 0.5;
+  scene.timing.max_time_step = 0.2499;
+  EXPECT_NO_THROW(make_simulation(scene)->step(1.0));
+  scene.timing.max_time_step = 0.2501;
+  EXPECT_THROW(make_simulation(scene)->step(1.0), RunError);
+}
+
 TEST(SinglePrecision, OtherTransfersAndFunctionsAreRefused) {
   Scene scene = block(0.0, ShapeFunctions::bspline);
   scene.method.precision = Precision::single;
