@@ -2,6 +2,7 @@
 // momenta go back to the cells' nodes in the same sweep.
 #pragma once
 
+#include "core/affine_lanes.hpp"
 #include "core/reference/gather_pass.hpp"
 
 #include <limits>
@@ -11,14 +12,15 @@ namespace scarp {
 /// dx_p = dt sum_I N_I v_I
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
+/// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
+/// N_I.
 template <int Dim, bool remap, class Shape>
 Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
   if constexpr (!has_lanes<Shape>) {
     return reference::gather_pass<Dim, remap>(state, flip, dt);
   } else {
     using T = typename Shape::Number;
-    if constexpr (std::is_same_v<T, Real>)
-      if (state.particles.affine()) return reference::gather_pass<Dim, remap>(state, flip, dt);
+    const bool affine = state.particles.affine();
     using AtNodes = NodeLanes<Shape::nodes, T>;
     Particles<Dim, T>& points = state.particles;
     const Nodes<Dim, T>& nodes = state.nodal.nodes;
@@ -29,7 +31,8 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
 #pragma omp parallel reduction(max : fastest2) reduction(min : outside)
     {
       BlockLines<Dim, T> xi, v_grid, dv_grid, m_v;
-      Pack<T> fastest = 0.0F; // v2 of this thread's points, by lane
+      BlockLines<Dim * Dim, T> C; // and for the remap, once the points have it: m C
+      Pack<T> fastest = 0.0F;     // v2 of this thread's points, by lane
 #pragma omp for schedule(static)
       for (std::int64_t b = 0; b < blocks; ++b) {
         const CellBlock block = cell_block(state, b);
@@ -37,6 +40,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         v_grid.resize(block.size);
         dv_grid.resize(block.size);
         m_v.resize(block.size);
+        if (affine) C.resize(block.size);
         for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
           const std::array<Pack<T>, Dim> place = local_position(state, block.pack<T>(k));
           for (std::size_t i = 0; i < Dim; ++i) store_lanes(place[i], xi[i] + k);
@@ -51,10 +55,21 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           for (std::size_t k = begin; k < end; k += Pack<T>::size()) {
             std::array<Pack<T>, Dim> place;
             for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
-            const auto w = Shape::along(place, cell).w;
+            const auto along = Shape::along(place, cell);
+            const auto& w = along.w;
             for (std::size_t i = 0; i < Dim; ++i) {
               store_lanes(interpolate(w, corners.of(nodes.v[i], node)), v_grid[i] + k);
               store_lanes(interpolate(w, corners.of(nodes.dv[i], node)), dv_grid[i] + k);
+            }
+            if (affine) {
+              const auto q = affine_functions<Dim, Shape>(place, along, cell);
+              for (std::size_t j = 0; j < Dim; ++j) {
+                auto functions = w;
+                functions[j] = q[j];
+                for (std::size_t i = 0; i < Dim; ++i)
+                  store_lanes(interpolate(functions, corners.of(nodes.v[i], node)),
+                              C[Dim * i + j] + k);
+              }
             }
           }
           begin = end;
@@ -84,6 +99,11 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
             const T near = 4 * std::numeric_limits<T>::epsilon() * end;
             inside = inside && x_new >= near && x_new < end - near;
           }
+          for (std::size_t i = 0; affine && i < points.C.size(); ++i) {
+            const Pack<T> C_i = load_lanes(C[i] + k);
+            rows.store(C_i, points.C[i]);
+            if constexpr (remap) store_lanes(m * C_i, C[i] + k);
+          }
           v2 = max(v2, v_grid2);
           if (rows.size() == RowPack<T>::capacity)
             fastest = max(fastest, v2);
@@ -104,13 +124,14 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           std::size_t k = 0;
           for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
             const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
-            const typename Shape::Lanes functions(stencil_cell(state, slot));
+            const StencilCell<Dim> cell = stencil_cell(state, slot);
+            const typename Shape::Lanes functions(cell);
+            const MomentumLanes<Dim, Shape> momentum_of(cell, affine);
             std::array<AtNodes, Dim> mv;
             for (; k < end; ++k) {
               Vec<Dim, T> place;
               for (std::size_t i = 0; i < Dim; ++i) place[i] = xi[i][k];
-              const AtNodes N = functions(place).N;
-              for (std::size_t i = 0; i < Dim; ++i) mv[i] += N * m_v[i][k];
+              momentum_of.add(mv, functions(place).N, place, m_v, C, k);
             }
             const std::size_t entry = state.order.place(slot).entry;
             const bool last = !state.order.strip_goes_on(slot);

@@ -184,6 +184,10 @@ template <int nodes, class T> struct NodeLanes {
   [[gnu::always_inline]] friend NodeLanes operator+(NodeLanes a, const NodeLanes& b) {
     return a += b;
   }
+  [[gnu::always_inline]] friend NodeLanes operator+(NodeLanes a, T b) {
+    unrolled<packs>([&](auto k) __attribute__((always_inline)) { a.pack[k] += Lanes(b); });
+    return a;
+  }
   [[gnu::always_inline]] friend NodeLanes operator*(NodeLanes a, const NodeLanes& b) {
     unrolled<packs>([&](auto k) __attribute__((always_inline)) { a.pack[k] *= b.pack[k]; });
     return a;

@@ -1,6 +1,7 @@
 // Points to cells (P2G): lumped mass, momentum and internal force of the nodes a cell reaches.
 #pragma once
 
+#include "core/affine_lanes.hpp"
 #include "core/reference/scatter_pass.hpp"
 
 namespace scarp {
@@ -26,6 +27,7 @@ void average_mean_stress(BlockLines<tensor_size<Dim>, T>& V_tau, const T* V0, st
 /// with the Kirchhoff stress tau = J sigma, so V0 tau = V sigma: see core/stress_pass.hpp.
 /// Where regions differ in their body force, f_I also takes sum_p m_p b_p N_I with `own_force`, the
 /// region's body force beyond the common one, m/s2; empty: they do not.
+/// Affine transfers: v_p + C_p (x_I - x_p) instead of v_p.
 /// Cell averages of the volumetric strain: in f_I the mean stress of a point is that of its cell,
 /// sum_p V0_p p_p / sum_p V0_p; see core/stress_pass.hpp.
 ///
@@ -38,8 +40,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
     reference::scatter_pass<Dim, terms>(state, own_force);
   } else {
     using T = typename Shape::Number;
-    if constexpr (std::is_same_v<T, Real>)
-      if (state.particles.affine()) return reference::scatter_pass<Dim, terms>(state, own_force);
+    const bool affine = state.particles.affine();
     constexpr bool momentum = terms != Terms::force;
     constexpr bool force = terms != Terms::mass_momentum;
     using AtNodes = NodeLanes<Shape::nodes, T>;
@@ -52,6 +53,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
 #pragma omp parallel
     {
       BlockLines<Dim, T> xi, m_v;
+      BlockLines<Dim * Dim, T> m_C;
       BlockLines<1, T> m_p, V0_p;
       BlockLines<tensor_size<Dim>, T> V_tau;
 #pragma omp for schedule(static)
@@ -59,6 +61,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
         const CellBlock block = cell_block(state, b);
         xi.resize(block.size);
         m_v.resize(block.size);
+        if (affine) m_C.resize(block.size);
         m_p.resize(block.size);
         V0_p.resize(block.size);
         V_tau.resize(block.size);
@@ -73,6 +76,10 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
             store_lanes(place[i], xi[i] + k);
             if constexpr (momentum) store_lanes(m * rows.load(points.v[i]), m_v[i] + k);
           }
+          if constexpr (momentum)
+            if (affine)
+              for (std::size_t i = 0; i < points.C.size(); ++i)
+                store_lanes(m * rows.load(points.C[i]), m_C[i] + k);
           if constexpr (force)
             for (std::size_t i = 0; i < tensor_size<Dim>; ++i)
               store_lanes(V0 * rows.load(points.tau[i]), V_tau[i] + k);
@@ -85,6 +92,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
           const std::size_t end = k + state.order.end(slot) - state.order.begin(slot);
           const StencilCell<Dim> cell = stencil_cell(state, slot);
           const typename Shape::Lanes functions(cell);
+          const MomentumLanes<Dim, Shape> momentum_of(cell, affine);
           if (force && state.averages_volume) average_mean_stress<Dim, T>(V_tau, V0_p[0], k, end);
           AtNodes m, V0;
           std::array<AtNodes, Dim> mv, f;
@@ -95,7 +103,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
             if constexpr (momentum) {
               m += at.N * m_p[0][k];
               if (tracks_fraction) V0 += at.N * V0_p[0][k];
-              for (std::size_t i = 0; i < Dim; ++i) mv[i] += at.N * m_v[i][k];
+              momentum_of.add(mv, at.N, place, m_v, m_C, k);
             }
             if constexpr (force) {
               for (std::size_t i = 0; i < Dim; ++i)

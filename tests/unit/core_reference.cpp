@@ -32,8 +32,8 @@ template <int Dim> Scene block() {
 }
 
 /// Random points, most of them crowded into a few cells, some moved after the columns were sorted.
-template <int Dim, class Shape> std::unique_ptr<State<Dim, Shape>> random_state() {
-  const Scene scene = block<Dim>();
+template <int Dim, class Shape>
+std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine) {
   using Number = typename Shape::Number;
   auto state = std::make_unique<State<Dim, Shape>>(
       scene.grid, Particles<Dim, Number>(fill_regions<Dim>(scene)), true);
@@ -53,6 +53,8 @@ template <int Dim, class Shape> std::unique_ptr<State<Dim, Shape>> random_state(
     anywhere(p);
     for (auto& component : points.v) component[p] = between(-1.0, 1.0);
     for (auto& component : points.tau) component[p] = between(-1.0, 1.0);
+    if (affine)
+      for (auto& component : points.C) component.push_back(between(-1.0, 1.0));
     points.m[p] = between(0.5, 1.5);
     points.V0[p] = between(0.5, 1.5);
     points.gap[p] = between(0.0, 0.1);
@@ -87,6 +89,8 @@ void expect_same(const State<Dim, Shape>& a, const State<Dim, Plain>& b, bool wi
     expect_same(a.particles.v[i], b.particles.v[i], "v");
     expect_same(a.particles.dx[i], b.particles.dx[i], "dx");
   }
+  for (std::size_t i = 0; i < a.particles.C.size(); ++i)
+    expect_same(a.particles.C[i], b.particles.C[i], "C", 1e-12);
   for (std::size_t i = 0; i < a.particles.tau.size(); ++i)
     expect_same(a.particles.tau[i], b.particles.tau[i], "tau");
   expect_same(a.particles.J, b.particles.J, "J");
@@ -106,9 +110,15 @@ void expect_same(const State<Dim, Shape>& a, const State<Dim, Plain>& b, bool wi
   }
 }
 
-template <int Dim, class Shape, class Plain = Shape> void check_all_passes() {
-  const auto fast = random_state<Dim, Shape>();
-  const auto plain = random_state<Dim, Plain>();
+template <int Dim, class Shape, class Plain = Shape> void check_all_passes(bool affine = false) {
+  Scene scene = block<Dim>();
+  if (affine) { // control points beside them have images
+    scene.grid.walls[0][0].kind = WallKind::fixed;
+    scene.grid.walls[2][0].kind = WallKind::symmetry;
+    scene.grid.walls[2][1].kind = WallKind::symmetry;
+  }
+  const auto fast = random_state<Dim, Shape>(scene, affine);
+  const auto plain = random_state<Dim, Plain>(scene, affine);
   Vec<Dim> b = {};
   b[0] = 3.0;
   for (const bool averages : {false, true}) {
@@ -154,5 +164,8 @@ TEST(AgainstReference, SingleSplinePlaneStrain) {
 TEST(AgainstReference, SingleSpline3d) {
   check_all_passes<3, SplineShape<3, float>, SplineShape<3>>();
 }
+TEST(AgainstReference, AffineSplinePlaneStrain) { check_all_passes<2, SplineShape<2>>(true); }
+TEST(AgainstReference, AffineSpline3d) { check_all_passes<3, SplineShape<3>>(true); }
+TEST(AgainstReference, AffineLinear3d) { check_all_passes<3, LinearShape<3>>(true); }
 TEST(AgainstReference, GimpPlaneStrain) { check_all_passes<2, GimpShape<2>>(); }
 TEST(AgainstReference, Gimp3d) { check_all_passes<3, GimpShape<3>>(); }
