@@ -51,7 +51,7 @@ void print(const SpeedRow& row) {
   const auto percent = [](double part) { return fmt::format("{:.1f}%", 100.0 * part); };
   fmt::print(
       "{:>3} {:12} {:9} {:>7} {:>9} {:>7.2f} {:>7.2f} {:>6} {:>6} {:>6} {:>5.0f} {:>5.0f} {:>6}",
-      row.dimension, row.how.name(), row.how.precision, row.threads, row.points, row.rate / 1e6,
+      row.dimension, row.how.name(), row.how.precision(), row.threads, row.points, row.rate / 1e6,
       row.alone / 1e6, percent(row.spread), percent(row.part_of_flops),
       percent(row.part_of_bandwidth), row.flops, row.memory, percent(row.yielded));
   for (const double rate : row.phase_rate) fmt::print(" {:>6.3g}", rate / 1e6);

@@ -19,11 +19,11 @@ namespace scarp::bench {
 /// One way to compute, at all sizes and numbers of threads.
 struct SpeedMethod {
   Method method;
-  std::string precision = "double";
-  std::size_t number_size = sizeof(double); ///< B
   /// Larger sizes are left out, since they would take too long; in plane strain and in 3-D.
   std::array<double, 2> most_points = {1e300, 1e300};
 
+  std::string precision() const;
+  std::size_t number_size() const; ///< B
   std::string shape() const;
   std::string transfer() const;
   /// Such as "linear" or "bspline apic".

@@ -113,7 +113,7 @@ render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
   std::vector<std::string> methods;
   for (const SpeedRow& row : rows) {
     std::string method = row.how.name();
-    if (row.how.precision != "double") method += ", " + row.how.precision;
+    if (row.how.precision() != "double") method += ", " + row.how.precision();
     if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
     if (row.dimension != dimension) continue;
     const auto k = static_cast<std::size_t>(std::ranges::find(methods, method) - methods.begin());
@@ -144,7 +144,7 @@ nlohmann::ordered_json to_json(const SpeedRow& row) {
                                    {"dim", row.dimension},
                                    {"shape", row.how.shape()},
                                    {"transfer", row.how.transfer()},
-                                   {"precision", row.how.precision},
+                                   {"precision", row.how.precision()},
                                    {"threads", row.threads},
                                    {"points", row.points},
                                    {"point_steps_per_s", row.rate},

@@ -182,12 +182,12 @@ class Round {
 
     const Method& method = row.how.method;
     const StepCost cost = step_cost(row.dimension, method.shape, method.transfer,
-                                    Grid{}.points_per_cell, row.how.number_size);
+                                    Grid{}.points_per_cell, row.how.number_size());
     row.flops = cost.all_flops();
     row.bytes = cost.all_bytes();
     const Roofline& roofline = machine_.rooflines.at(t);
     const double peak =
-        row.how.number_size == sizeof(float) ? roofline.flops_single : roofline.flops_double;
+        row.how.number_size() == sizeof(float) ? roofline.flops_single : roofline.flops_double;
     row.part_of_flops = row.flops * row.rate / peak;
     row.part_of_bandwidth = row.bytes * row.rate / roofline.memory_bandwidth;
     return row;

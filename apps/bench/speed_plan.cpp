@@ -24,14 +24,9 @@ std::vector<SpeedMethod> speed_methods() {
   using enum VelocityTransfer;
   return {
       {.method = method_with(linear, flip)},
-      {.method = method_with(linear, flip, Precision::single),
-       .precision = "single",
-       .number_size = sizeof(float)},
+      {.method = method_with(linear, flip, Precision::single)},
       {.method = method_with(bspline, flip)},
-      {.method = method_with(bspline, flip, Precision::single),
-       .precision = "single",
-       .number_size = sizeof(float),
-       .most_points = {2e6, 2e6}},
+      {.method = method_with(bspline, flip, Precision::single), .most_points = {2e6, 2e6}},
       {.method = method_with(bspline, apic), .most_points = {2e5, 2e5}},
   };
 }
@@ -54,7 +49,7 @@ const SpeedRow* find(const std::vector<SpeedRow>& rows, int dimension, const std
   double nearest = std::log(same_size);
   for (const SpeedRow& row : rows) {
     if (row.dimension != dimension || row.threads != threads || row.how.name() != name ||
-        row.how.precision != precision)
+        row.how.precision() != precision)
       continue;
     const double distance = std::abs(std::log(static_cast<double>(row.points) / points));
     if (distance < nearest) best = &row, nearest = distance;
@@ -63,6 +58,14 @@ const SpeedRow* find(const std::vector<SpeedRow>& rows, int dimension, const std
 }
 
 } // namespace
+
+std::string SpeedMethod::precision() const {
+  return method.precision == Precision::single ? "single" : "double";
+}
+
+std::size_t SpeedMethod::number_size() const {
+  return method.precision == Precision::single ? sizeof(float) : sizeof(double);
+}
 
 std::string SpeedMethod::shape() const {
   return method.shape == ShapeFunctions::linear ? "linear"
