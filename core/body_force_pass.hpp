@@ -1,8 +1,8 @@
 // A body force that differs from place to place and with time, added to the cells' forces.
 #pragma once
 
-#include "core/reference/strips.hpp"
 #include "core/scene.hpp"
+#include "core/state.hpp"
 
 namespace scarp {
 
@@ -10,7 +10,7 @@ namespace scarp {
 template <int Dim, class Shape>
 void body_force_pass(State<Dim, Shape>& state, const BodyForceField& field, Real time) {
   const Particles<Dim, typename Shape::Number>& points = state.particles;
-  reference::for_each_cell_of_blocks(state, [&](std::size_t slot) {
+  for_each_cell(state, [&](std::size_t slot) {
     std::array<std::array<Real, Shape::nodes>, Dim> f = {};
     const StencilCell<Dim> cell = stencil_cell(state, slot);
     for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {

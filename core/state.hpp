@@ -40,14 +40,6 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   State& operator=(const State&) = delete;
 };
 
-/// Calls visit(slot) for every occupied cell, on all threads.
-template <int Dim, class Shape, class Visit>
-void for_each_cell(const State<Dim, Shape>& state, Visit&& visit) {
-  const auto n = static_cast<std::int64_t>(state.order.cells());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t s = 0; s < n; ++s) visit(static_cast<std::size_t>(s));
-}
-
 /// Occupied cells that a thread works on together, so that registers are full of their points.
 struct CellBlock {
   std::size_t first_slot, end_slot;
@@ -71,6 +63,17 @@ CellBlock cell_block(const State<Dim, Shape>& state, std::int64_t index) {
   const std::size_t end = std::min(first + cells, state.order.cells());
   const std::size_t begin = state.order.begin(first);
   return {first, end, state.order.rows() + begin, state.order.begin(end) - begin};
+}
+
+/// Calls visit(slot) for every occupied cell, on all threads, those of a block in order on one.
+template <int Dim, class Shape, class Visit>
+void for_each_cell(const State<Dim, Shape>& state, Visit&& visit) {
+  const std::int64_t blocks = block_count(state);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    const CellBlock block = cell_block(state, b);
+    for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) visit(slot);
+  }
 }
 
 /// Where the rows of a pack lie in their cells, each component in [0, 1).

@@ -27,7 +27,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
   [[maybe_unused]] const bool tracks_fraction = state.nodal.tracks_fraction;
   [[maybe_unused]] const bool affine = points.affine();
 
-  for_each_cell_of_blocks(state, [&](std::size_t slot) {
+  for_each_cell(state, [&](std::size_t slot) {
     CellTile<Dim, Shape::nodes> tile = {};
     const StencilCell<Dim> cell = stencil_cell(state, slot);
     [[maybe_unused]] const Real mean_of_cell =

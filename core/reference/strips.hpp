@@ -14,17 +14,6 @@ template <int Dim, int corners> struct CellTile {
   std::array<AtNodes, Dim> f;  ///< N, internal
 };
 
-/// Calls visit(slot) for every occupied cell, on all threads, those of a block in order on one.
-template <int Dim, class Shape, class Visit>
-void for_each_cell_of_blocks(const State<Dim, Shape>& state, Visit&& visit) {
-  const std::int64_t blocks = block_count(state);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    const CellBlock block = cell_block(state, b);
-    for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) visit(slot);
-  }
-}
-
 /// Entries that the strip's earlier cells have not reached are set, the others are added to.
 template <class Shape, int Dim>
 void add_to_strip(const State<Dim, Shape>& state, std::size_t slot,
