@@ -29,6 +29,7 @@ void CellOrder<Dim, corners>::update(Particles<Dim, T>& particles) {
     find_places();
     find_parts();
     find_node_runs();
+    find_side_pairs();
   }
 }
 
@@ -238,6 +239,37 @@ template <int Dim, int corners> void CellOrder<Dim, corners>::find_node_runs() {
       }
       run.end_part = parts_.size();
       runs_.push_back(run);
+    }
+  }
+}
+
+template <int Dim, int corners> void CellOrder<Dim, corners>::find_side_pairs() {
+  for (std::size_t axis = 0; axis < Dim; ++axis)
+    for (std::size_t side = 0; side < 2; ++side) {
+      side_pairs_[axis][side].clear();
+      if (!grid_->acts[axis][side]) continue;
+      for (const auto& [outer, inner] : grid_->side_layers(axis, side))
+        find_side_pairs(axis, outer, inner, side_pairs_[axis][side]);
+    }
+}
+
+/// Of one layer.  A run may go on from the end of a row to the next one.
+template <int Dim, int corners>
+void CellOrder<Dim, corners>::find_side_pairs(std::size_t axis, int outer, int inner,
+                                              std::vector<SidePair>& pairs) const {
+  const int row = grid_->nodes[0];
+  const int stride = grid_->node_stride[axis];
+  const int inwards = (inner - outer) * stride;
+  for (const NodeRun& run : runs_) {
+    const int run_end = run.node + static_cast<int>(run.count);
+    for (int first = run.node, end = 0; first < run_end; first = end) {
+      end = std::min(run_end, (first / row + 1) * row);
+      const int along = first / stride % grid_->nodes[axis];
+      if (axis > 0 && along == outer)
+        for (int node = first; node < end; ++node) pairs.push_back({node, node + inwards});
+      const int on_side = first + outer - along;
+      if (axis == 0 && first <= on_side && on_side < end)
+        pairs.push_back({on_side, on_side + inwards});
     }
   }
 }

@@ -65,8 +65,18 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
   }
   std::size_t entries() const { return places_.back().entry; }
 
+  /// Active nodes that a side acts on, as pairs with the mean velocity of the side: see
+  /// GridIndex::side_layers.
+  struct SidePair {
+    int outer, inner;
+  };
+
   const std::vector<NodeRun>& node_runs() const { return runs_; }
   const Part& part(std::size_t k) const { return parts_[k]; }
+  /// Only of sides that act (GridIndex::acts).
+  const std::vector<SidePair>& side_pairs(std::size_t axis, std::size_t side) const {
+    return side_pairs_[axis][side];
+  }
 
   /// Bytes kept from step to step.
   std::size_t memory() const {
@@ -92,6 +102,8 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
   void find_places();
   void find_parts();
   void find_node_runs();
+  void find_side_pairs();
+  void find_side_pairs(std::size_t axis, int outer, int inner, std::vector<SidePair>& pairs) const;
   template <class T> void reorder(Particles<Dim, T>& particles);
 
   const GridIndex<Dim>* grid_;
@@ -103,6 +115,7 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
   std::vector<std::uint32_t> rows_, previous_rows_;
   std::vector<Part> parts_; ///< by first node
   std::vector<NodeRun> runs_;
+  std::array<std::array<std::vector<SidePair>, 2>, Dim> side_pairs_;
   /// A column of each type, into which the next one is put in order.
   std::tuple<Column, ColumnOf<float>, std::vector<std::uint32_t>, std::vector<std::uint8_t>,
              std::vector<int>>

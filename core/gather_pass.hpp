@@ -1,11 +1,11 @@
-// Cells to points (G2P): the points' velocities and the step's displacement; for MUSL the new
-// momenta go back to the cells' nodes in the same sweep.
+// Cells to points (G2P): the points' velocities and, unless it comes with the strain, the step's
+// displacement; for MUSL the new momenta go back to the cells' nodes in the same sweep.
 #pragma once
 
 #include "core/affine_lanes.hpp"
 #include "core/reference/gather_pass.hpp"
 
-#include <limits>
+#include <cmath>
 
 namespace scarp {
 
@@ -14,8 +14,10 @@ namespace scarp {
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
 /// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
 /// N_I.
+/// Returns the largest of |v_p| and |sum_I N_I v_I|, m/s; with gradients at a control point's
+/// distance, |v_p| + h/2 |C_p|.
 template <int Dim, bool remap, class Shape>
-Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
+Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
   if constexpr (!has_lanes<Shape>) {
     return reference::gather_pass<Dim, remap>(state, flip, dt);
   } else {
@@ -26,9 +28,8 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
     const Nodes<Dim, T>& nodes = state.nodal.nodes;
     const Corners<Dim, Shape> corners(state);
     Real fastest2 = 0.0;
-    std::uint32_t outside = no_point;
     const std::int64_t blocks = block_count(state);
-#pragma omp parallel reduction(max : fastest2) reduction(min : outside)
+#pragma omp parallel reduction(max : fastest2)
     {
       BlockLines<Dim, T> xi, v_grid, dv_grid, m_v;
       BlockLines<Dim * Dim, T> C; // and for the remap, once the points have it: m C
@@ -78,45 +79,34 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
           const RowPack<T> rows = block.pack<T>(k);
           const Pack<T> m = rows.load(points.m);
-          Pack<T> v2 = 0.0F, v_grid2 = 0.0F;
-          typename Pack<T>::mask_type inside(true);
+          Pack<T> v2 = 0.0F, v_grid2 = 0.0F, C2 = 0.0F;
           for (std::size_t i = 0; i < Dim; ++i) {
             const Pack<T> v_I = load_lanes(v_grid[i] + k);
             const Pack<T> dv_I = load_lanes(dv_grid[i] + k);
             const Pack<T> v =
                 number<T>(flip) * (rows.load(points.v[i]) + dv_I) + number<T>(1.0 - flip) * v_I;
-            const Pack<T> dx = number<T>(dt) * v_I;
             rows.store(v, points.v[i]);
-            rows.store(dx, points.dx[i]);
+            if (!state.moves_with_strain) rows.store(number<T>(dt) * v_I, points.dx[i]);
             if constexpr (remap) store_lanes(m * v, m_v[i] + k);
             v2 += v * v;
             v_grid2 += v_I * v_I;
-            // In T; where it is within T's rounding of a side, the position itself decides below.
-            const Pack<T> x_new = rows.map(points.x[i], [&](const auto& x) {
-              return state.grid.scaled(x, i);
-            }) + dx * number<T>(state.grid.inv_h);
-            const auto end = number<T>(state.grid.cells[i]);
-            const T near = 4 * std::numeric_limits<T>::epsilon() * end;
-            inside = inside && x_new >= near && x_new < end - near;
           }
           for (std::size_t i = 0; affine && i < points.C.size(); ++i) {
             const Pack<T> C_i = load_lanes(C[i] + k);
+            C2 += C_i * C_i;
             rows.store(C_i, points.C[i]);
             if constexpr (remap) store_lanes(m * C_i, C[i] + k);
           }
           v2 = max(v2, v_grid2);
+          if (affine) {
+            const Pack<T> beside = sqrt(v2) + number<T>(0.5 * state.grid.h) * sqrt(C2);
+            v2 = beside * beside;
+          }
           if (rows.size() == RowPack<T>::capacity)
             fastest = max(fastest, v2);
           else
             for (std::size_t lane = 0; lane < rows.size(); ++lane)
               fastest2 = std::max(fastest2, static_cast<Real>(v2[lane]));
-          if (!all_of(inside))
-            for (std::size_t lane = 0; lane < rows.size(); ++lane) {
-              const std::size_t p = block.rows[k + lane];
-              Vec<Dim> x_new;
-              for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
-              if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
-            }
         }
 
         if constexpr (remap) {
@@ -142,7 +132,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
       }
       fastest2 = std::max(fastest2, static_cast<Real>(hmax(fastest)));
     }
-    return {std::sqrt(fastest2), outside};
+    return std::sqrt(fastest2);
   }
 }
 

@@ -44,7 +44,7 @@ template <int Dim, class Number_ = Real> struct GimpShape : Stencil<Dim, 4> {
   /// Largest slope at a wall, 1/cell.
   static constexpr Real steepest = 1.0;
 
-  static constexpr std::array<Real, 4> positions(bool, bool) { return {-1.0, 0.0, 1.0, 2.0}; }
+  static constexpr std::array<Real, 4> positions = {-1.0, 0.0, 1.0, 2.0};
 
   /// See core/time_step.hpp: 1/l for each function that a point's end cuts, l half its length.
   static Real gradient_bound(Real half_point) {
@@ -53,7 +53,7 @@ template <int Dim, class Number_ = Real> struct GimpShape : Stencil<Dim, 4> {
 
   /// The body's part of a node is that of the linear function: averaging over points that fill it
   /// changes nothing.
-  static std::array<Real, 4> shares(bool, bool) { return {0.0, 0.5, 0.5, 0.0}; }
+  static constexpr std::array<Real, 4> shares = {0.0, 0.5, 0.5, 0.0};
 };
 
 } // namespace scarp

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace scarp {
 
@@ -22,7 +23,8 @@ template <int Dim> constexpr std::size_t grid_axis(int scene_axis) {
 /// How the nodes that a point of a cell can reach lie, along each axis.
 /// corner: the two ends of the cell (linear functions). padded: these and the next ones on both
 /// sides (functions that reach half a point further), with a layer of nodes outside the grid.
-/// spline: three control points of quadratic B-splines, whose outermost one is on the grid's side.
+/// spline: the middles of the cell and of the next ones on both sides (the control points of
+/// quadratic B-splines), with a layer outside the grid.
 enum class NodeLayout { corner, padded, spline };
 
 constexpr int stencil_width(NodeLayout layout) {
@@ -51,9 +53,8 @@ template <int Dim> struct GridIndex {
   std::array<int, most_corners> corner_offset = {};
   int cell_count;
   int node_count;
-  /// By axis and side: bit i, component i of velocities is odd there, held at 0 and mirrored.  For
-  /// B-splines only (core/node_pass.hpp), else 0.
-  std::array<std::array<std::uint8_t, 2>, Dim> odd = {};
+  /// Whether a side does more than to hold its nodes, by axis and side: see Walls.
+  std::array<std::array<bool, 2>, Dim> acts = {};
 
   explicit GridIndex(const Grid& grid, NodeLayout node_layout = NodeLayout::corner)
       : h(grid.cell_size), inv_h(1.0 / grid.cell_size), layout(node_layout),
@@ -68,19 +69,16 @@ template <int Dim> struct GridIndex {
       cell_count *= cells[i];
       nodes[i] = cells[i] + width - 1;
       node_count *= nodes[i];
-      if (layout == NodeLayout::spline)
-        for (std::size_t side = 0; side < 2; ++side)
-          odd[i][side] = odd_components(grid.walls[scene_axis<Dim>(a)][side], a);
+      for (std::size_t side = 0; side < 2; ++side) {
+        const WallKind kind = grid.walls[scene_axis<Dim>(a)][side].kind;
+        acts[i][side] =
+            kind == WallKind::friction || (layout == NodeLayout::spline && kind != WallKind::free);
+      }
     }
     for (int c = 0; c < corners; ++c)
       for (int a = 0, rest = c; a < Dim; ++a, rest /= width)
         corner_offset[static_cast<std::size_t>(c)] +=
             rest % width * node_stride[static_cast<std::size_t>(a)];
-  }
-
-  static std::uint8_t odd_components(const Wall& wall, int axis) {
-    if (wall.kind == WallKind::fixed) return (1U << Dim) - 1U;
-    return static_cast<std::uint8_t>(wall.kind == WallKind::symmetry ? 1U << axis : 0U);
   }
 
   /// The farthest node from a cell's lowest one.
@@ -95,12 +93,21 @@ template <int Dim> struct GridIndex {
     case NodeLayout::padded:
       return {plane == 0 ? 0 : plane + 1, plane == cells[axis] ? plane + 2 : plane + 1};
     case NodeLayout::spline:
-      return {plane == 0             ? 0
-              : plane == cells[axis] ? plane + 1
-                                     : plane,
-              plane == 0 ? 0 : plane + 1};
+      return {plane, plane + 1};
     }
     return {plane, plane};
+  }
+
+  /// Where the nodes of a side are that has the mean velocity of both: the same one twice, or for
+  /// B-splines the one outside the grid and the one inside.  Along the axis; one pair for each
+  /// layer of nodes.
+  std::vector<std::array<int, 2>> side_layers(std::size_t axis, std::size_t side) const {
+    const auto [first, last] = nodes_of_plane(axis, side == 0 ? 0 : cells[axis]);
+    if (layout == NodeLayout::spline)
+      return {side == 0 ? std::array{first, last} : std::array{last, first}};
+    std::vector<std::array<int, 2>> layers;
+    for (int layer = first; layer <= last; ++layer) layers.push_back({layer, layer});
+    return layers;
   }
 
   /// Cells before a cell along each axis.

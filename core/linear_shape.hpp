@@ -21,10 +21,10 @@ template <int Dim, class Number_ = Real> struct LinearShape : Stencil<Dim, 2, Nu
   static constexpr Real steepest = 1.0;
 
   /// Of the nodes along an axis, in cells from the cell's lower end.
-  static constexpr std::array<Real, 2> positions(bool, bool) { return {0.0, 1.0}; }
+  static constexpr std::array<Real, 2> positions = {0.0, 1.0};
 
   /// Parts of a cell's volume that belong to its nodes along an axis.
-  static std::array<Real, 2> shares(bool, bool) { return {0.5, 0.5}; }
+  static constexpr std::array<Real, 2> shares = {0.5, 0.5};
 
   /// w = 1 - xi or xi.
   class Lanes {

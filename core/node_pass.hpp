@@ -1,6 +1,7 @@
 // What happens on the nodes: add up the strips' sums, advance the momentum, apply the walls.
 #pragma once
 
+#include "core/side_pass.hpp"
 #include "core/state.hpp"
 #include "core/walls.hpp"
 
@@ -26,78 +27,56 @@ template <int Dim, class Shape>
   }
 }
 
-/// Applies to the velocities of a run's nodes what acts on each alone.
-template <int Dim, class T, class Apply>
-void change_velocities(Nodes<Dim, T>& nodes, const auto& run, Apply&& apply) {
-  for (std::size_t k = 0; k < run.count; ++k) {
-    const int index = run.node + static_cast<int>(k);
-    Vec<Dim> v;
-    for (std::size_t i = 0; i < Dim; ++i) v[i] = nodes.v[i][static_cast<std::size_t>(index)];
-    apply(index, v);
-    for (std::size_t i = 0; i < Dim; ++i)
-      nodes.v[i][static_cast<std::size_t>(index)] = static_cast<T>(v[i]);
-  }
-}
-
-/// Takes constrained components away, and what friction sides do not let through: as in every
-/// mapping, since position and strain see one velocity.
-template <int Dim, class T>
-void constrain(Nodes<Dim, T>& nodes, const Walls<Dim>& walls, const auto& run) {
-  if (!walls.touch(run.node, run.count)) return;
-  change_velocities(nodes, run, [&](int index, Vec<Dim>& v) {
-    walls.constrain(index, v);
-    walls.hold_back(index, v);
-  });
-}
-
-/// (m v)_I from the strips' sums, v_I = (m v)_I / m_I.
+/// A sweep over the runs of active nodes in two halves: between them the nodes outside mirrors and
+/// those inside exchange what the first half has put into `exchange`.  Without mirrors it is one.
 template <int Dim, class Shape>
-void find_velocities(State<Dim, Shape>& state, const auto& run, std::size_t first) {
+void sweep_nodes(State<Dim, Shape>& state, const Walls<Dim>& walls, auto&& first, auto&& exchange,
+                 auto&& second) {
+  const bool at_once = walls.mirrors().empty();
+  for_each_node_run(state, [&](const auto& run, std::size_t number) {
+    first(run);
+    if (at_once) second(run, number);
+  });
+  if (at_once) return;
+  exchange();
+  for_each_node_run(state, second);
+}
+
+/// (m v)_I of a run from the strips' sums; it is kept in v until the masses are known.
+template <int Dim, class Shape> void add_up_momenta(State<Dim, Shape>& state, const auto& run) {
   using T = typename Shape::Number;
-  Nodes<Dim, T>& nodes = state.nodal.nodes;
   for (std::size_t i = 0; i < Dim; ++i) {
     RunValuesOf<T> mv = {};
     add_up(state, run, state.nodal.sums.mv[i], mv);
-    const T* inv_m = &nodes.inverse_mass(i)[first];
-    T* v = &nodes.v[i][first];
-    for (std::size_t k = 0; k < run.count; ++k) v[k] = mv[k] * inv_m[k];
+    std::copy_n(mv.begin(), run.count, &state.nodal.nodes.v[i][static_cast<std::size_t>(run.node)]);
   }
 }
 
-/// Control points next to a mirror (Walls::Mirror).  With the image of odd velocity, N_I v -
-/// N_image v, the lumped kinetic energy is (m_I + m_image) v^2 / 2; in the open knot vector's
-/// functions that is the mass of the point and of the held one beside it.  Without it the velocity
-/// of a uniform strain comes out half as large again next to the wall, and N falls to 0 there while
-/// its gradient does not: no step would be short enough.
-template <int Dim, class Shape>
-void mirror_inertia(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& run) {
-  using T = typename Shape::Number;
-  Nodes<Dim, T>& nodes = state.nodal.nodes;
+/// Takes the constrained components of a run's velocities away, as in every mapping, since position
+/// and strain see one velocity.
+template <int Dim, class T>
+void constrain(Nodes<Dim, T>& nodes, const Walls<Dim>& walls, const auto& run) {
+  if (!walls.hold(run.node, run.count)) return;
   for (std::size_t k = 0; k < run.count; ++k) {
-    const int index = run.node + static_cast<int>(k);
-    const auto* mirror = walls.mirror(index);
-    if (!mirror) continue;
-    for (std::size_t i = 0; i < Dim; ++i) {
-      // Over this node and its images: one more along each axis with a mirror for component i.
-      Real mass = 0.0;
-      for (int images = 0; images < power(3, Dim); ++images) {
-        int node = index;
-        bool moves = true;
-        for (std::size_t a = 0, rest = static_cast<std::size_t>(images); a < Dim; ++a, rest /= 3) {
-          if (rest % 3 == 1) {
-            node -= state.grid.node_stride[a];
-            moves = moves && (mirror->lower[a] >> i & 1U);
-          } else if (rest % 3 == 2) {
-            node += state.grid.node_stride[a];
-            moves = moves && (mirror->upper[a] >> i & 1U);
-          }
-        }
-        if (moves) mass += nodes.m[static_cast<std::size_t>(node)];
-      }
-      nodes.inv_m[i][static_cast<std::size_t>(index)] =
-          static_cast<T>(mass > 0.0 ? 1.0 / mass : 0.0);
-    }
+    const auto at = static_cast<std::size_t>(run.node) + k;
+    Vec<Dim> v;
+    for (std::size_t i = 0; i < Dim; ++i) v[i] = nodes.v[i][at];
+    walls.constrain(static_cast<int>(at), v);
+    for (std::size_t i = 0; i < Dim; ++i) nodes.v[i][at] = static_cast<T>(v[i]);
   }
+}
+
+/// v_I = (m v)_I / m_I, under the constraints.
+template <int Dim, class Shape>
+void find_velocities(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& run) {
+  auto& nodes = state.nodal.nodes;
+  const auto first = static_cast<std::size_t>(run.node);
+  for (std::size_t i = 0; i < Dim; ++i) {
+    const auto* inv_m = &nodes.inv_m[first];
+    auto* v = &nodes.v[i][first];
+    for (std::size_t k = 0; k < run.count; ++k) v[k] *= inv_m[k];
+  }
+  constrain(nodes, walls, run);
 }
 
 /// m_I and (m v)_I, and v_I under the constraints.
@@ -105,17 +84,11 @@ template <int Dim, class Shape>
 void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   using T = typename Shape::Number;
   Nodes<Dim, T>& nodes = state.nodal.nodes;
-  if (walls.have_mirrors()) std::ranges::fill(nodes.m, T(0)); // inactive ones are asked for as well
-  for_each_node_run(state, [&](const auto& run, std::size_t) {
+  const auto add_up_masses = [&](const auto& run) {
     const auto first = static_cast<std::size_t>(run.node);
     RunValuesOf<T> m = {};
     add_up(state, run, state.nodal.sums.m, m);
-    for (std::size_t k = 0; k < run.count; ++k) {
-      nodes.m[first + k] = m[k];
-      const T inverse = T(1) / m[k];
-      for (auto& inv_m : nodes.inv_m)
-        if (!inv_m.empty()) inv_m[first + k] = m[k] > 0 ? inverse : T(0);
-    }
+    for (std::size_t k = 0; k < run.count; ++k) nodes.inv_m[first + k] = nodes.m[first + k] = m[k];
     if (state.nodal.tracks_fraction) {
       RunValuesOf<T> V0 = {};
       add_up(state, run, state.nodal.sums.V0, V0);
@@ -125,28 +98,23 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
             static_cast<T>(volume > 0.0 && V0[k] > 0 ? V0[k] / volume : 1.0);
       }
     }
-    if (walls.have_mirrors()) return; // their masses need those of the nodes beside them
-    find_velocities(state, run, first);
-    constrain(nodes, walls, run);
-  });
-  if (!walls.have_mirrors()) return;
-  for_each_node_run(state, [&](const auto& run, std::size_t) {
-    mirror_inertia(state, walls, run);
-    find_velocities(state, run, static_cast<std::size_t>(run.node));
-    constrain(nodes, walls, run);
-  });
-}
-
-/// J, that an impulse against the motion (N s, by component) takes: with the mean of the velocities
-/// before and after the step, as far as that is of the order of the one before.  What an impulse
-/// changes on a node of little mass its points hardly see.
-template <int Dim> Real taken_work(const Vec<Dim>& before, const Vec<Dim>& after, auto&& impulse) {
-  Real work = 0.0;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    const Real most = std::abs(before[i]);
-    work += impulse(i) * (before[i] + std::clamp(0.5 * (after[i] - before[i]), -most, most));
-  }
-  return work;
+    add_up_momenta(state, run);
+  };
+  sweep_nodes(
+      state, walls, add_up_masses,
+      [&] {
+        add_images(state, walls, nodes.inv_m, [](const auto&) { return T(1); });
+        add_images(state, walls, nodes.v);
+      },
+      [&](const auto& run, std::size_t) {
+        T* inv_m = &nodes.inv_m[static_cast<std::size_t>(run.node)];
+        for (std::size_t k = 0; k < run.count; ++k) {
+          const T inverse = T(1) / inv_m[k];
+          inv_m[k] = inv_m[k] > 0 ? inverse : T(0);
+        }
+        find_velocities(state, walls, run);
+      });
+  hold_back_pass(state, walls);
 }
 
 /// v_I += dt (f_int + m g + f_damping)_I / m_I; keeps the change in dv for the FLIP increment.
@@ -158,65 +126,54 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
   using T = typename Shape::Number;
   Nodes<Dim, T>& nodes = state.nodal.nodes;
   state.nodal.damped.assign(state.order.node_runs().size(), 0.0);
-  state.nodal.rubbed.assign(state.order.node_runs().size(), 0.0);
-  for_each_node_run(state, [&](const auto& run, std::size_t number) {
+  const auto add_up_forces = [&](const auto& run) {
     const auto first = static_cast<std::size_t>(run.node);
-    std::array<RunValuesOf<T>, Dim> before, drag = {};
     for (std::size_t i = 0; i < Dim; ++i) {
       RunValuesOf<T> force = {};
       add_up(state, run, state.nodal.sums.f[i], force);
-      const T* m = &nodes.m[first];
-      const T* inv_m = &nodes.inverse_mass(i)[first];
-      T* f = &nodes.f[i][first];
+      const auto b = static_cast<T>(gravity[i]);
+      for (std::size_t k = 0; k < run.count; ++k)
+        nodes.f[i][first + k] = force[k] + nodes.m[first + k] * b;
+    }
+  };
+  const auto advance = [&](const auto& run, std::size_t number) {
+    const auto first = static_cast<std::size_t>(run.node);
+    const T* inv_m = &nodes.inv_m[first];
+    std::array<RunValuesOf<T>, Dim> before, drag = {};
+    for (std::size_t i = 0; i < Dim; ++i) {
+      const T* f = &nodes.f[i][first];
       T* v = &nodes.v[i][first];
-      const auto b = static_cast<T>(gravity[i]), step = static_cast<T>(dt);
-      for (std::size_t k = 0; k < run.count; ++k) {
-        f[k] = force[k] + m[k] * b;
-        before[i][k] = v[k];
-      }
+      std::copy_n(v, run.count, before[i].begin());
       if (damping > 0.0)
         for (std::size_t k = 0; k < run.count; ++k)
           drag[i][k] = v[k] != 0 ? static_cast<T>(-damping) * std::copysign(f[k], v[k]) : T(0);
-      for (std::size_t k = 0; k < run.count; ++k) v[k] += step * inv_m[k] * (f[k] + drag[i][k]);
+      for (std::size_t k = 0; k < run.count; ++k)
+        v[k] += static_cast<T>(dt) * inv_m[k] * (f[k] + drag[i][k]);
     }
-    const bool at_walls = walls.touch(run.node, run.count);
-    if (damping > 0.0 || at_walls) {
-      const auto at = [](const std::array<RunValuesOf<T>, Dim>& values, std::size_t k) {
-        Vec<Dim> value;
-        for (std::size_t i = 0; i < Dim; ++i) value[i] = values[i][k];
-        return value;
-      };
-      change_velocities(nodes, run, [&](int index, Vec<Dim>& v) {
-        const auto k = static_cast<std::size_t>(index - run.node);
-        walls.constrain(index, v);
-        if (walls.have_friction()) {
-          Vec<Dim> free = v;
-          walls.hold_back(index, free);
-          walls.resist(index, v);
-          state.nodal.rubbed[number] += taken_work<Dim>(at(before, k), v, [&](std::size_t i) {
-            return nodes.m[first + k] * (free[i] - v[i]);
-          });
-        }
-        if (damping > 0.0)
-          state.nodal.damped[number] +=
-              taken_work<Dim>(at(before, k), v, [&](std::size_t i) { return -dt * drag[i][k]; });
-      });
-    }
+    constrain(nodes, walls, run);
     for (std::size_t i = 0; i < Dim; ++i) {
       const T* v = &nodes.v[i][first];
       T* dv = &nodes.dv[i][first];
       for (std::size_t k = 0; k < run.count; ++k) dv[k] = v[k] - before[i][k];
+      if (damping > 0.0) // of what moves together, each node counts for its part of the mass
+        for (std::size_t k = 0; k < run.count; ++k)
+          state.nodal.damped[number] +=
+              nodes.m[first + k] * inv_m[k] * taken_work(before[i][k], v[k], -dt * drag[i][k]);
     }
-  });
+  };
+  sweep_nodes(
+      state, walls, add_up_forces, [&] { add_images(state, walls, nodes.f); }, advance);
+  state.nodal.rubbed = resist_pass(state, walls);
 }
 
 /// MUSL: v_I from the points' updated momenta; masses and weights are those of the first mapping.
 template <int Dim, class Shape>
 void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  for_each_node_run(state, [&](const auto& run, std::size_t) {
-    find_velocities(state, run, static_cast<std::size_t>(run.node));
-    constrain(state.nodal.nodes, walls, run);
-  });
+  sweep_nodes(
+      state, walls, [&](const auto& run) { add_up_momenta(state, run); },
+      [&] { add_images(state, walls, state.nodal.nodes.v); },
+      [&](const auto& run, std::size_t) { find_velocities(state, walls, run); });
+  stick_pass(state, walls);
 }
 
 } // namespace scarp

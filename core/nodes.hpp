@@ -67,24 +67,21 @@ template <int Dim, class Shape> class StripSum {
 template <int Dim, class T = Real> struct Nodes {
   using Column = ColumnOf<T>;
   Column m; ///< kg
-  /// 1/kg, of what moves with a component; 0 without mass.  The first one counts for all, unless
-  /// there are mirrors (Walls::Mirror).
-  std::array<Column, Dim> inv_m;
+  /// 1/kg, of what moves together: the node and its images (core/walls.hpp); 0 without mass.
+  Column inv_m;
   std::array<Column, Dim> f;  ///< N, with gravity
   std::array<Column, Dim> v;  ///< m/s, after the latest constraint
   std::array<Column, Dim> dv; ///< m/s, change by the forces of this step
   Column fraction;            ///< -, see GridState::tracks_fraction
-
-  const Column& inverse_mass(std::size_t component) const {
-    return inv_m[component].empty() ? inv_m[0] : inv_m[component];
-  }
 };
 
 template <int Dim, class Shape> struct GridState {
   StripSums<Dim, Shape> sums;
   Nodes<Dim, typename Shape::Number> nodes;
-  /// J, taken in this step by local damping and by friction on walls; by run of nodes
-  Column damped, rubbed;
+  Column damped;     ///< J, taken in this step by local damping, by run of nodes
+  Real rubbed = 0.0; ///< J, taken in this step by friction on walls
+  /// By axis, side and pair (CellOrder::side_pairs): whether friction has stopped it in this step.
+  std::array<std::array<std::vector<std::uint8_t>, 2>, Dim> stuck;
 
   /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
   bool tracks_fraction;
@@ -92,8 +89,8 @@ template <int Dim, class Shape> struct GridState {
 
   /// Bytes.
   std::size_t memory() const {
-    std::size_t bytes = bytes_of(nodes.m, nodes.fraction, damped, rubbed, volume);
-    for (const auto* columns : {&nodes.inv_m, &nodes.f, &nodes.v, &nodes.dv})
+    std::size_t bytes = bytes_of(nodes.m, nodes.inv_m, nodes.fraction, damped, volume);
+    for (const auto* columns : {&nodes.f, &nodes.v, &nodes.dv})
       for (const auto& column : *columns) bytes += bytes_of(column);
     const auto add_lines = [&bytes](const auto& lines) {
       for (const auto& line : lines) bytes += bytes_of(line);
@@ -110,25 +107,20 @@ template <int Dim, class Shape> struct GridState {
   GridState(const GridIndex<Dim>& grid, bool with_fraction) : tracks_fraction(with_fraction) {
     const auto n = static_cast<std::size_t>(grid.node_count);
     nodes.m.resize(n);
-    nodes.inv_m[0].resize(n);
+    nodes.inv_m.resize(n);
     for (std::size_t i = 0; i < Dim; ++i) {
       nodes.f[i].resize(n);
       nodes.v[i].resize(n);
       nodes.dv[i].resize(n);
     }
-    // Only B-splines have mirrors.
-    for (std::size_t i = 1; i < Dim && Shape::layout == NodeLayout::spline; ++i)
-      nodes.inv_m[i].resize(n);
     if (!tracks_fraction) return;
     nodes.fraction.resize(n);
     volume.assign(n, 0.0);
     for (int index = 0; index < grid.cell_count; ++index) {
-      const StencilCell<Dim> cell(grid, grid.along(index), 0.0);
       for (std::size_t c = 0; c < Shape::nodes; ++c) {
         const auto k = Shape::places(c);
         Real share = std::pow(grid.h, Dim);
-        for (std::size_t a = 0; a < Dim; ++a)
-          share *= Shape::shares(cell.first[a], cell.last[a])[k[a]];
+        for (std::size_t a = 0; a < Dim; ++a) share *= Shape::shares[k[a]];
         volume[static_cast<std::size_t>(grid.first_node(index) + grid.corner_offset[c])] += share;
       }
     }

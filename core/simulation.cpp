@@ -8,9 +8,6 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, const Snapshot* 
   if (scene.grid.dimension != 2 && scene.grid.dimension != 3)
     throw SetupError("grid.dimension must be 2 or 3");
   if (scene.method.precision == Precision::single) {
-    if (scene.method.transfer != VelocityTransfer::flip)
-      // Near a held wall D_p (core/affine.hpp) is as small as its own rounding.
-      throw SetupError("single precision goes with the transfer 'flip' only");
     if (scene.method.shape == ShapeFunctions::gimp)
       throw SetupError("single precision goes with linear functions and B-splines only");
     return scene.method.shape == ShapeFunctions::linear

@@ -83,8 +83,10 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
     for (std::size_t i = 0; i < Dim; ++i) start_[i] = state_.particles.x[i];
     state_.averages_volume = scene.method.volume_rate == VolumeRate::cell_average;
-    if (scene.method.transfer != VelocityTransfer::flip)
+    if (scene.method.transfer != VelocityTransfer::flip) {
       for (auto& column : state_.particles.C) column.assign(points(), Number(0));
+      state_.moves_with_strain = scene.method.scheme == Scheme::musl;
+    }
     const auto continued =
         std::ranges::find_if(stages_, [](const Stage& stage) { return !stage.begin_from.empty(); });
     if ((continued != stages_.end()) != (start != nullptr))
@@ -127,15 +129,16 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     done(Phase::nodes);
 
     if (scheme == Scheme::musl) {
-      check_positions(gather_pass<Dim, true>(state_, flip(), dt));
+      fastest_ = gather_pass<Dim, true>(state_, flip(), dt);
       done(Phase::gather);
       remap_velocity_pass(state_, walls_);
       done(Phase::remap);
     } else {
-      check_positions(gather_pass<Dim, false>(state_, flip(), dt));
+      fastest_ = gather_pass<Dim, false>(state_, flip(), dt);
       done(Phase::gather);
     }
     if (scheme != Scheme::usf) update_stress_of_all(dt);
+    check_positions();
     check_volumes();
     done(Phase::stress);
 
@@ -277,9 +280,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   void add_up_losses() {
-    if (damping() == 0.0 && !walls_.have_friction()) return;
-    for (const Real work : state_.nodal.damped) damping_work_ += work;
-    for (const Real work : state_.nodal.rubbed) friction_work_ += work;
+    if (damping() > 0.0)
+      for (const Real work : state_.nodal.damped) damping_work_ += work;
+    friction_work_ += state_.nodal.rubbed;
   }
 
   void move_points() {
@@ -301,11 +304,21 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     return std::sqrt(v2);
   }
 
-  void check_positions(const Gathered& gathered) {
-    if (gathered.outside != no_point)
-      fail(gathered.outside, "leaves the grid or is no number any more",
+  void check_positions() const {
+    const auto& x = state_.particles.x;
+    const auto& dx = state_.particles.dx;
+    const auto n = static_cast<std::int64_t>(points());
+    std::uint32_t outside = no_point;
+#pragma omp parallel for schedule(static) reduction(min : outside)
+    for (std::int64_t k = 0; k < n; ++k) {
+      const auto p = static_cast<std::size_t>(k);
+      Vec<Dim> x_new;
+      for (std::size_t i = 0; i < Dim; ++i) x_new[i] = x[i][p] + dx[i][p];
+      if (!state_.grid.contains(x_new)) outside = std::min(outside, state_.particles.id[p]);
+    }
+    if (outside != no_point)
+      fail(outside, "leaves the grid or is no number any more",
            "enlarge the grid, or lower time.cfl");
-    fastest_ = gathered.fastest;
   }
 
   void check_volumes() const {

@@ -156,7 +156,7 @@ template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::
       {"settling", scene_.gates.empty()                   ? "no gate, skipped"
                    : scene_.method.settling_damping > 0.0 ? "damped until the last gate opens"
                                                           : "not damped"},
-      {"friction walls", walls_.have_friction() ? "on" : "none, skipped"},
+      {"friction walls", !walls_.friction().empty() ? "on" : "none, skipped"},
       {"stages", stages_line()},
       {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},
   };

@@ -26,6 +26,9 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   GridState<Dim, Shape> nodal;
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
+  /// Whether points move with the velocity that strains them, the remapped one: see
+  /// core/stress_pass.hpp.
+  bool moves_with_strain = false;
 
   State(const Grid& scene_grid, Particles<Dim, Number> points, bool tracks_fraction = false)
       : grid(scene_grid, Shape::layout), half_point(0.5 / scene_grid.points_per_cell),

@@ -9,24 +9,14 @@ namespace scarp {
 
 /// What the points of a cell share in their shape functions.
 template <int Dim> struct StencilCell {
-  Vec<Dim> corner;             ///< lowest corner, in cells from the grid's lower corner
-  Real h;                      ///< m
-  Real inv_h;                  ///< 1/m
-  Real half_point;             ///< half the length of a point, in cells
-  std::array<bool, Dim> first; ///< whether the cell is the grid's first along an axis
-  std::array<bool, Dim> last;
-  /// See GridIndex: of the sides that the cell lies at.
-  std::array<std::array<std::uint8_t, 2>, Dim> odd;
+  Vec<Dim> corner; ///< lowest corner, in cells from the grid's lower corner
+  Real h;          ///< m
+  Real inv_h;      ///< 1/m
+  Real half_point; ///< half the length of a point, in cells
 
   StencilCell(const GridIndex<Dim>& grid, const std::array<int, Dim>& along, Real half_point_length)
       : h(grid.h), inv_h(grid.inv_h), half_point(half_point_length) {
-    for (std::size_t i = 0; i < Dim; ++i) {
-      corner[i] = along[i];
-      first[i] = along[i] == 0;
-      last[i] = along[i] + 1 == grid.cells[i];
-      odd[i][0] = first[i] ? grid.odd[i][0] : std::uint8_t{0};
-      odd[i][1] = last[i] ? grid.odd[i][1] : std::uint8_t{0};
-    }
+    for (std::size_t i = 0; i < Dim; ++i) corner[i] = along[i];
   }
 };
 

@@ -14,6 +14,15 @@
 // there is one constraint a cell (B-bar, Hughes 1980, doi 10.1002/nme.1620150914, with the points
 // for a rule).  The power sum_p V0_p tau_p : d_p is then that of the force in which the mean stress
 // of every point is the cell's mean(p): again adjoint, again no energy from nothing.
+//
+// Motion.  With MUSL the strain sees the remapped velocity v*; as published, points move with the
+// one before it, v.  The two differ by what the points do not keep: a node that hardly carries mass
+// has a velocity dt f/m afresh each step, and in v it moves the points beside it.  Then strain and
+// place drift apart, and a film that lies at rest on a wall creeps, by dt g (x/h)^2 / 2, against
+// gravity.  With affine transfers points therefore move with v* (`moves_with_strain`): what gravity
+// does to points is then what it does to nodes, and for a steady v* = R (v* + dt f/m), with the
+// transfers there and back as a symmetric R between 0 and 1, the power f . v* of what is not in
+// balance is never negative, so nothing at rest gains energy.
 #pragma once
 
 #include "core/drucker_prager.hpp"
@@ -108,11 +117,13 @@ template <int Dim, class T> struct StrainRates {
   BlockLines<Dim * Dim, T> grad_v; ///< 1/s, [Dim i + j] = d v_i / d x_j
   BlockLines<1, T> dilation;       ///< 1/s, rate of volume beyond tr(grad_v)
   BlockLines<1, T> fraction;       ///< -, if the law remembers gaps
+  BlockLines<Dim, T> velocity;     ///< m/s, if points move with the strain
 
   void resize(std::size_t rows) {
     grad_v.resize(rows);
     dilation.resize(rows);
     fraction.resize(rows);
+    velocity.resize(rows);
   }
 };
 
@@ -148,6 +159,9 @@ void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, b
       }
       if (opens)
         store_lanes(interpolate(along.w, corners.of(nodes.fraction, node)), rates.fraction[0] + k);
+      if (state.moves_with_strain)
+        for (std::size_t i = 0; i < Dim; ++i)
+          store_lanes(interpolate(along.w, corners.of(nodes.v[i], node)), rates.velocity[i] + k);
     }
 
     if (state.averages_volume) {
@@ -227,6 +241,12 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
         own += points.material[block.rows[k]] == material ? 1U : 0U;
       if (own == 0) continue;
       find_strain_rates(state, block, opens, xi, rates);
+      for (std::size_t k = 0; state.moves_with_strain && k < block.size;
+           k += RowPack<T>::capacity) {
+        const RowPack<T> rows = block.pack<T>(k);
+        for (std::size_t i = 0; i < Dim; ++i)
+          rows.store(number<T>(dt) * load_lanes(rates.velocity[i] + k), points.dx[i]);
+      }
       const auto update = [&]<bool with_gaps>(std::bool_constant<with_gaps>) {
         for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
           const RowPack<T> rows = block.pack<T>(k);

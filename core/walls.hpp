@@ -11,9 +11,19 @@
 
 namespace scarp {
 
-/// Constraints by node.  Fixed and symmetry sides take velocity components away, both from the
-/// velocity before and after the step, so that they exchange no momentum with the FLIP increment;
-/// friction sides act as an impulse once a step.
+/// What sides and gates do to velocities.
+///
+/// Linear functions and GIMP have nodes on the sides: fixed and symmetry sides hold them at 0, both
+/// in the velocity before and after the step, so that they exchange no momentum with the FLIP
+/// increment.  B-splines have a layer of nodes outside and one inside, whose mean is the velocity
+/// on the side: there fixed sides make every component odd (v_outer = - v_inner), symmetry sides
+/// the normal one odd and the others even, which is the body and its mirror image.  The two then
+/// move as one, with the sum of their lumped masses: the projection of the motion onto what the
+/// side allows that keeps the kinetic energy's metric.  A projection never has a higher frequency
+/// than what it projects, so the step's bound (core/time_step.hpp) holds at sides as it does
+/// inside.
+///
+/// Friction sides act as an impulse once a step, in the same metric.  Gates hold nodes.
 template <int Dim> class Walls {
  public:
   /// Throws SetupError for a gate that is not on a plane of the grid.
@@ -32,67 +42,48 @@ template <int Dim> class Walls {
       if (mask >> i & 1U) v[i] = 0.0;
   }
 
-  /// Whether anything below acts on one of `count` nodes in a row.
-  bool touch(int first, std::size_t count) const {
+  /// Whether a component of one of `count` nodes in a row is held.
+  bool hold(int first, std::size_t count) const {
     unsigned any = 0;
     const auto from = static_cast<std::size_t>(first);
     for (std::size_t k = from; k < from + count; ++k) any |= held_[k];
-    if (!rubs_.empty())
-      for (std::size_t k = from; k < from + count; ++k) any |= rubs_[k];
     return any != 0;
   }
 
-  /// Sides that hold the first control points of B-splines at 0 are mirrors in which a velocity is
-  /// odd.  The control point next to such a side then moves with its image, and its inertia is that
-  /// of both, its own and that of the held one: core/node_pass.hpp.
+  /// A side whose outer nodes are images of the inner ones.
   struct Mirror {
-    std::array<std::uint8_t, Dim> lower = {}; ///< by axis: bit i, component i is odd
-    std::array<std::uint8_t, Dim> upper = {};
+    std::size_t axis, side;
+    std::uint8_t odd; ///< bit i: component i, else even
+
+    Real sign(std::size_t component) const { return odd >> component & 1U ? -1.0 : 1.0; }
   };
-  /// Of a node next to such sides, else null.
-  const Mirror* mirror(int node) const {
-    if (next_to_mirror_.empty()) return nullptr;
-    const std::uint8_t which = next_to_mirror_[static_cast<std::size_t>(node)];
-    return which == 0 ? nullptr : &mirrors_[which];
-  }
+  const std::vector<Mirror>& mirrors() const { return mirrors_; }
 
-  bool have_mirrors() const { return !next_to_mirror_.empty(); }
+  /// Coulomb's law along a side: the impulse that stops the motion into it allows a tangential
+  /// impulse of at most `coefficient` times it.
+  struct Friction {
+    std::size_t axis, side;
+    Real coefficient;
 
-  /// Coulomb's law along friction sides: the impulse that stops the motion into the wall allows a
-  /// tangential impulse of at most `friction_coefficient` times it.
-  void resist(int node, Vec<Dim>& v) const {
-    if (!rubs_.empty()) rub(node, v, true);
-  }
-
-  bool have_friction() const { return !rubs_.empty(); }
+    /// The velocity on the side after the impulse; with no motion into it, the same.
+    Vec<Dim> resist(Vec<Dim> v) const;
+    /// Only the normal part, for velocities that are mapped again within the step.
+    Vec<Dim> hold_back(Vec<Dim> v) const;
+  };
+  const std::vector<Friction>& friction() const { return friction_; }
 
   /// Bytes of what is kept by node.
-  std::size_t memory() const { return bytes_of(held_, rubs_, next_to_mirror_, mirrors_); }
-
-  /// Only the normal part of `resist`, for velocities that are mapped again within the step.
-  void hold_back(int node, Vec<Dim>& v) const {
-    if (!rubs_.empty()) rub(node, v, false);
-  }
+  std::size_t memory() const { return bytes_of(held_); }
 
  private:
-  struct Side {
-    std::size_t axis;
-    Real inward; ///< +1 at the lower side, -1 at the upper side
-    Real friction;
-  };
-
-  void rebuild(double time);
-  void find_mirrors();
-  void rub(int node, Vec<Dim>& v, bool tangential) const;
+  void hold_nodes(double time);
 
   const GridIndex<Dim>* grid_;
   std::array<std::array<Wall, 2>, Dim> sides_;
   std::vector<Gate> gates_;
   std::vector<std::uint8_t> held_; ///< by node: bit i, component i is held at 0
-  std::vector<std::uint8_t> rubs_; ///< by node: bit k, friction side k; empty if there is none
-  std::vector<Side> friction_sides_;
-  std::vector<std::uint8_t> next_to_mirror_; ///< by node: index into mirrors_, 0: none
-  std::vector<Mirror> mirrors_;
+  std::vector<Mirror> mirrors_;    ///< by axis
+  std::vector<Friction> friction_;
 };
 
 } // namespace scarp

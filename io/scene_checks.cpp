@@ -167,12 +167,11 @@ void check_stages(const Scene& scene, SceneReport& report) {
 }
 
 void check_method(const Method& method, SceneReport& report) {
-  if (report.usable({"method.precision", "method.transfer", "method.shape"}) &&
-      method.precision == Precision::single &&
-      (method.transfer != VelocityTransfer::flip || method.shape == ShapeFunctions::gimp))
-    report.problem("method.precision",
-                   "single precision goes with the shape functions 'linear' and 'bspline' and the "
-                   "transfer 'flip' only (also set method.preset = \"fidelity\", or these two)");
+  if (report.usable({"method.precision", "method.shape"}) &&
+      method.precision == Precision::single && method.shape == ShapeFunctions::gimp)
+    report.problem(
+        "method.precision",
+        "single precision goes with the shape functions 'linear' and 'bspline' only, not 'gimp'");
   if (report.usable({"method.transfer", "method.shape"}) &&
       method.transfer != VelocityTransfer::flip && method.shape == ShapeFunctions::linear)
     report.problem("method.transfer",

@@ -157,7 +157,7 @@ Section<Method> method_section() {
               "precision", &Method::precision,
               {{"double", Precision::double_precision}, {"single", Precision::single}},
               "Numbers of points and nodes; positions are double in both. Single "
-              "goes with linear and bspline, and the transfer flip."),
+              "goes with linear and bspline."),
           number<Method>("flip", "", &Method::flip, {.at_least = 0, .at_most = 1},
                          "Part of FLIP in the velocity update; the rest is PIC. Not used by apic."),
           number<Method>("local_damping", "", &Method::local_damping, {.at_least = 0, .below = 1},

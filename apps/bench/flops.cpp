@@ -99,7 +99,7 @@ struct AlongAxis {
 };
 
 constexpr AlongAxis stated(ShapeFunctions shape) {
-  return shape == ShapeFunctions::linear ? AlongAxis{1, 0} : AlongAxis{7, 5};
+  return shape == ShapeFunctions::linear ? AlongAxis{1, 0} : AlongAxis{7, 3};
 }
 
 template <int Dim, class Shape>
@@ -109,7 +109,7 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
   const int place = 3 * d, functions = d * axis.functions, derivatives = d * axis.derivatives;
   const int I = interpolation<Dim, Shape>();
   const int affine_to_nodes = d2 + 2 * w * d + d * n + 2 * d2 * n;
-  const int affine_of_point = 2 * w * d + 3 * w * d + d + w * d + d2 * I;
+  const int affine_of_point = 3 * w * d + d2 * I;
 
   StepCost cost;
   const auto set = [&](Phase phase, double flops, double bytes) {
@@ -135,11 +135,14 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
   set(Phase::nodes, ((1 + 2 * d) * lines + 2 + d + d + 4 * d + d) / points_of_cell,
       tile + 2 * neighbours + 3 * node + number / points_of_cell);
   set(Phase::gather,
-      place + functions + 2 * d * I + 4 * d + d + 4 * d + 3 * d + (d - 1) * n + d + 2 * d * n +
-          d * n / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
+      place + functions + 2 * d * I + 4 * d + (affine ? 0 : d) + 4 * d + (d - 1) * n + d +
+          2 * d * n + d * n / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
       (d + 2 * d + d + 1) * number + index + 2 * gradients + moments + node);
   set(Phase::remap, (d * lines + d) / points_of_cell, moments + neighbours + 2 * node);
-  set(Phase::stress, place + functions + derivatives + d2 * I + I + 2 + law<Dim>() + d + 5 + 2,
+  // With affine transfers points move with the strain; at last it is looked whether they leave.
+  set(Phase::stress,
+      place + functions + derivatives + d2 * I + I + 2 + law<Dim>() + d + 5 + 2 +
+          (affine ? d * I + d : 0) + 3 * d,
       (d + 2 * t + 2 * 4 + 1) * number + index + 1.0 + node);
   set(Phase::move, d, 3 * d * number);
   return cost;

@@ -27,7 +27,8 @@ std::vector<SpeedMethod> speed_methods() {
       {.method = method_with(linear, flip, Precision::single)},
       {.method = method_with(bspline, flip)},
       {.method = method_with(bspline, flip, Precision::single), .most_points = {2e6, 2e6}},
-      {.method = method_with(bspline, apic), .most_points = {2e5, 2e5}},
+      {.method = method_with(bspline, apic), .most_points = {2e6, 2e6}},
+      {.method = method_with(bspline, apic, Precision::single), .most_points = {2e5, 2e5}},
   };
 }
 

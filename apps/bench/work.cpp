@@ -46,6 +46,8 @@ std::vector<NamedMethod> methods(Effort effort) {
   if (effort == Effort::quick) return all;
   all.push_back({"B-spline, single precision", method(bspline)});
   all.back().how.method.precision = Precision::single;
+  all.push_back({"B-spline, APIC, single precision", method(bspline, apic)});
+  all.back().how.method.precision = Precision::single;
   all.push_back({"GIMP, APIC", method(gimp, apic)});
   all.push_back({"B-spline, AFLIP", method(bspline, aflip)});
   for (const int points : {3, 4}) {

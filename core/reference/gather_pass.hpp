@@ -6,7 +6,6 @@
 #include "core/affine.hpp"
 #include "core/reference/strips.hpp"
 #include "core/state.hpp"
-#include "core/transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +17,17 @@ namespace scarp::reference {
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
 /// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
 /// N_I.
+/// Returns the largest of |v_p| and |sum_I N_I v_I|, m/s; with gradients at a control point's
+/// distance, |v_p| + h/2 |C_p|.
 template <int Dim, bool remap, class Shape>
-Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
+Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
   constexpr std::size_t corners = State<Dim, Shape>::corners;
   const bool affine = state.particles.affine();
   Particles<Dim>& points = state.particles;
   Real fastest2 = 0.0;
-  std::uint32_t outside = no_point;
   const Corners<Dim, Shape> all_corners(state);
   const std::int64_t blocks = block_count(state);
-#pragma omp parallel for schedule(static) reduction(max : fastest2) reduction(min : outside)
+#pragma omp parallel for schedule(static) reduction(max : fastest2)
   for (std::int64_t b = 0; b < blocks; ++b) {
     const CellBlock block = cell_block(state, b);
     for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
@@ -60,15 +60,18 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
         for (std::size_t i = 0; i < Dim; ++i) {
           v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
           points.v[i][p] = v_p[i];
-          points.dx[i][p] = dt * v_grid[i];
+          if (!state.moves_with_strain) points.dx[i][p] = dt * v_grid[i];
           v2 += v_p[i] * v_p[i];
           v_grid2 += v_grid[i] * v_grid[i];
         }
-        fastest2 = std::max({fastest2, v2, v_grid2});
-        Vec<Dim> x_new;
-        for (std::size_t i = 0; i < Dim; ++i) x_new[i] = points.x[i][p] + points.dx[i][p];
-        if (!state.grid.contains(x_new)) outside = std::min(outside, points.id[p]);
-        if (affine) gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
+        Real speed = std::sqrt(std::max(v2, v_grid2));
+        if (affine) {
+          gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
+          Real C2 = 0.0;
+          for (const Column& C : points.C) C2 += C[p] * C[p];
+          speed += 0.5 * state.grid.h * std::sqrt(C2);
+        }
+        fastest2 = std::max(fastest2, speed * speed);
         if constexpr (remap) {
           if (affine)
             add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
@@ -82,7 +85,7 @@ Gathered gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
           add_to_strip<Shape>(state, slot, mv_I[i], state.nodal.sums.mv[i]);
     }
   }
-  return {std::sqrt(fastest2), outside};
+  return std::sqrt(fastest2);
 }
 
 } // namespace scarp::reference

@@ -31,18 +31,26 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       return sum;
     };
     const Real mean_rate = state.averages_volume ? cell_mean(state, slot, divergence) : 0.0;
+    const Corners<Dim, Shape> corners(state);
+    const auto at_nodes = [&](const Column& values) {
+      return corners.of(values, state.order.place(slot).first_node);
+    };
     for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
       const std::size_t p = state.order.row(k);
       if (points.material[p] != material) continue;
+      const Shape shape = shape_at(state, stencil_cell(state, slot), p);
+      const auto interpolated = [&](const Column& values) {
+        Real sum = 0.0;
+        for (std::size_t c = 0; c < Shape::nodes; ++c) sum += shape.N[c] * at_nodes(values)(c);
+        return sum;
+      };
+      if (state.moves_with_strain)
+        for (std::size_t i = 0; i < Dim; ++i)
+          points.dx[i][p] = dt * interpolated(state.nodal.nodes.v[i]);
       const Real dilation = state.averages_volume ? mean_rate - divergence(p) : 0.0;
       Real gap = 0.0, room = 0.0;
       if (opens) {
-        const Shape shape = shape_at(state, stencil_cell(state, slot), p);
-        const Corners<Dim, Shape> corners(state);
-        const auto at = corners.of(state.nodal.nodes.fraction, state.order.place(slot).first_node);
-        Real fraction = 0.0;
-        for (std::size_t c = 0; c < Shape::nodes; ++c) fraction += shape.N[c] * at(c);
-        room = std::max(1.0 / fraction - 1.0, 0.0);
+        room = std::max(1.0 / interpolated(state.nodal.nodes.fraction) - 1.0, 0.0);
         gap = points.gap[p];
       }
       SymTensor<Dim> tau;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <set>
 
@@ -216,6 +217,20 @@ TEST(StressRun, IsTheSameForAnyNumberOfJobs) {
     EXPECT_EQ(three[k].end, one[k].end);
     EXPECT_EQ(three[k].nearest, one[k].nearest);
   }
+}
+
+/// Scenes that failed once and were cured at a cause (README, what keeps it stable): bodies on
+/// friction walls, and films on fixed ones that crept.
+TEST(StressRun, CuredScenesStayCured) {
+  std::size_t scenes = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(SCARP_SOURCE_DIR "/tests/unit/stress_scenes")) {
+    const StressResult result = run_stress_scene({scenes++, "cured", io::read_scene(entry.path())});
+    EXPECT_TRUE(result.end == StressEnd::finished || result.end == StressEnd::left_grid)
+        << entry.path() << ": " << result.message << ' '
+        << (result.failure ? result.failure->check : "");
+  }
+  EXPECT_GE(scenes, 13U);
 }
 
 TEST(StressRun, TellsOfRefusedScenes) {

@@ -1,10 +1,6 @@
-// The bounds behind the step, and the inertia next to a mirror that one of them needs.
-#include "core/gather_pass.hpp"
+// The bounds behind the step.
 #include "core/gimp_shape.hpp"
-#include "core/lattice.hpp"
 #include "core/linear_shape.hpp"
-#include "core/node_pass.hpp"
-#include "core/scatter_pass.hpp"
 #include "core/spline_shape.hpp"
 #include "core/time_step.hpp"
 #include "tests/support/scenes.hpp"
@@ -78,39 +74,4 @@ TEST(TimeStep, IsThatOfWavesMotionAndGravity) {
   EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 0.0, 2.0), 0.05);
   EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 1.0, 2.0), 0.05);
   EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 1e4, 2.0), 0.005);
-}
-
-/// Points that fill a block of cells between fixed sides and move with v = a x (x from the side):
-/// the control points next to the side get the velocity of their place, a h/2, with and without
-/// the points' gradients.
-TEST(Mirror, UniformStrainIsKept) {
-  constexpr double h = 0.5, a = 3.0;
-  for (const bool affine : {false, true}) {
-    Scene scene;
-    scene.grid = grid_2d(h, {0.0, 0.0}, {4.0, 4.0});
-    scene.grid.points_per_cell = 8;
-    scene.grid.walls[0][0] = {WallKind::fixed};
-    scene.grid.walls[2][0] = {WallKind::free};
-    scene.materials = {elastic("rock", 1000.0, 1e6, 0.0)};
-    scene.regions = {box("rock", "rock", {0.0, 0.0}, {4.0, 4.0})};
-    State<2, SplineShape<2>> state(scene.grid, fill_regions<2>(scene));
-    const Walls<2> walls(scene, state.grid);
-    Particles<2>& points = state.particles;
-    if (affine)
-      for (Column& column : points.C) column.assign(points.size(), 0.0);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      points.v[0][p] = a * points.x[0][p];
-      if (affine) points.C[0][p] = a;
-    }
-    state.order.update(points);
-    scatter_pass<2, Terms::mass_momentum>(state);
-    gather_momentum_pass(state, walls);
-    // Node (1, 4), and the held one beside it.
-    const int next = 1 + 4 * state.grid.node_stride[1];
-    // 8 points a cell integrate the quadratic functions to 1/(24 64).
-    EXPECT_NEAR(state.nodal.nodes.v[0][next], a * h / 2.0, 5e-3 * a * h) << affine;
-    EXPECT_EQ(state.nodal.nodes.v[0][next - 1], 0.0);
-    // Away from the side nothing changes: node (3, 4) lies at 2.5 h.
-    EXPECT_NEAR(state.nodal.nodes.v[0][next + 2], 2.5 * a * h, 5e-3 * a * h);
-  }
 }

@@ -39,12 +39,20 @@ template <int Dim> struct Fixture {
     return v;
   }
   Vec<Dim> resisted(int at, Vec<Dim> v) const {
-    walls.resist(at, v);
+    for (const auto& side : walls.friction())
+      if (on(side, at)) v = side.resist(v);
     return v;
   }
   Vec<Dim> held_back(int at, Vec<Dim> v) const {
-    walls.hold_back(at, v);
+    for (const auto& side : walls.friction())
+      if (on(side, at)) v = side.hold_back(v);
     return v;
+  }
+
+ private:
+  bool on(const auto& side, int at) const {
+    const int along = at / grid.node_stride[side.axis] % grid.nodes[side.axis];
+    return along == (side.side == 0 ? 0 : grid.cells[side.axis]);
   }
 };
 
@@ -52,7 +60,8 @@ Wall friction(double coefficient) { return {WallKind::friction, coefficient}; }
 
 } // namespace
 
-/// Nodes that a fixed left side and a gate at x = 2 hold along x, by layout of the nodes.
+/// Nodes that a fixed left side, a symmetry side on the right and a gate at x = 2 hold along x, by
+/// layout of the nodes; B-splines have images at sides instead.
 TEST(Walls, HoldTheNodesThatMatterOnTheirPlane) {
   Scene scene = scene_2d();
   scene.grid.walls[0][0].kind = WallKind::fixed;
@@ -72,8 +81,11 @@ TEST(Walls, HoldTheNodesThatMatterOnTheirPlane) {
   EXPECT_EQ(held(NodeLayout::corner), (std::vector<int>{0, 2, 4}));
   EXPECT_EQ(held(NodeLayout::padded), (std::vector<int>{0, 1, 3, 5, 6}))
       << "node 1 is on the side, node 0 beyond it";
-  EXPECT_EQ(held(NodeLayout::spline), (std::vector<int>{0, 2, 3, 5}))
+  EXPECT_EQ(held(NodeLayout::spline), (std::vector<int>{2, 3}))
       << "two control points hold an inner plane";
+  scene.gates = {{"gate", 0, 1.0, 1.0}};
+  EXPECT_EQ(held(NodeLayout::spline), (std::vector<int>{0, 1, 2}))
+      << "the image of a held one is held";
 }
 
 TEST(Walls, FreeSidesDoNothing) {
@@ -186,10 +198,8 @@ TEST(Walls, FrictionBesideSymmetry) {
   scene.grid.walls[2][0] = friction(0.5);
   scene.grid.walls[1][0].kind = WallKind::symmetry;
   const Fixture<3> fixture(scene);
-  Vec<3> v = {3.0, 4.0, -2.0};
-  fixture.walls.constrain(node(1, 0, 0), v);
-  fixture.walls.resist(node(1, 0, 0), v);
-  EXPECT_EQ(v, (Vec<3>{2.0, 0.0, 0.0}));
+  const Vec<3> v = fixture.constrained(node(1, 0, 0), {3.0, 4.0, -2.0});
+  EXPECT_EQ(fixture.resisted(node(1, 0, 0), v), (Vec<3>{2.0, 0.0, 0.0}));
 }
 
 TEST(Walls, FrictionInACorner) {
