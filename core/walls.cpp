@@ -39,6 +39,16 @@ template <int Dim> double Walls<Dim>::next_opening(double time) const {
   return next;
 }
 
+template <int Dim>
+typename Walls<Dim>::DegreeOfFreedom Walls<Dim>::degree_of_freedom(int node,
+                                                                   std::size_t component) const {
+  const auto n = static_cast<std::size_t>(node);
+  bool held = held_[n] >> component & 1U;
+  for (std::size_t k = 0; k < friction_sides_.size(); ++k)
+    held = held || ((rubs_[n] >> k & 1U) && friction_sides_[k].axis == component);
+  return {node, held ? 0.0 : 1.0};
+}
+
 template <int Dim> void Walls<Dim>::rebuild(double time) {
   held_.assign(static_cast<std::size_t>(grid_->node_count), 0);
   rubs_.clear();

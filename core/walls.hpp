@@ -42,6 +42,15 @@ template <int Dim> class Walls {
     return any != 0;
   }
 
+  /// A component of a node's displacement: `sign` times that of `node`; sign 0: held at 0.
+  struct DegreeOfFreedom {
+    int node;
+    Real sign;
+  };
+  /// For a body at rest (core/static_equilibrium.hpp).  Friction sides then hold the normal
+  /// component both ways, also where the body would come off, and nothing along them.
+  DegreeOfFreedom degree_of_freedom(int node, std::size_t component) const;
+
   /// Sides that hold the first control points of B-splines at 0 are mirrors in which a velocity is
   /// odd.  The control point next to such a side then moves with its image, and its inertia is that
   /// of both, its own and that of the held one: core/node_pass.hpp.
