@@ -248,7 +248,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
 
   [[noreturn]] void refuse(Real left, const char* how, const char* reason) const {
     std::ostringstream text;
-    text.precision(2);
+    text.precision(3);
     text << "method.initial_stress: no static equilibrium: " << 100.0 * left
          << " % of the loads at time 0 are left without balance after " << iterations_
          << " iterations " << how << ": " << reason
