@@ -82,8 +82,10 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     begin_stage(start ? static_cast<std::size_t>(continued - stages_.begin()) : 0);
     state_.order.update(state_.particles);
     if (!start && scene.method.initial_stress == InitialStress::equilibrium)
-      equilibrium_ = StaticEquilibrium<Dim, Shape>(state_, walls_, materials_)
-                         .find([this](std::size_t p) { return body_force(p); });
+      equilibrium_ =
+          StaticEquilibrium<Dim, Shape>(state_, walls_, materials_).find([this](std::size_t p) {
+            return body_force(p);
+          });
     for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
     loads_.settle(state_.particles);
     first_energies_ = energies();

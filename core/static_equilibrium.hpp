@@ -7,8 +7,8 @@
 // finds nothing to move.  They follow from displacements u by the method of initial stress
 // (Zienkiewicz, Valliappan & King 1969, doi 10.1002/nme.1620010107; Griffiths & Lane 1999):
 //   du = K^-1 (f_ext - f_int(tau)),   tau <- the law's return of tau + D B du,
-// with the elastic K, factorised once.  First without the return: whatever a body that is held can
-// bear elastically is found in one iteration.
+// with the elastic K throughout.  First without the return, as if all were elastic: K is linear, so
+// few iterations show whether walls and gates hold the body at all.
 //
 // u serves to find tau alone.  The points stay where they are and their J is 1, so tau is sigma;
 // plastic strain, dissipation and gaps count from this state on, and are 0 in it.  Where material
@@ -23,6 +23,7 @@
 #include "core/walls.hpp"
 
 #include <cmath>
+#include <limits>
 #include <span>
 #include <sstream>
 #include <vector>
@@ -49,26 +50,45 @@ template <int Dim, class Shape> class StaticEquilibrium {
     add_up_loads(b);
     load_ = norm(loads_);
     if (load_ == 0.0) return {unknowns_, 0, 0.0};
-    SparseSystem stiffness(unknowns_);
+    using Solver = SparseSystem::Solver;
+    SparseSystem stiffness(unknowns_, Dim == 2 ? Solver::factors : Solver::gradients);
     assemble(stiffness);
 
     unbalanced_ = loads_;
-    if (const Real left = balance(stiffness, false, 1e-10, 10); !(left <= 1e-10))
-      refuse(left, "as if it were elastic", "walls and gates do not hold the body");
-    follow(std::vector<Real>(loads_.size(), 0.0), true);
-    const Real residual = balance(stiffness, true, 1e-6, 1000); // as many as Griffiths & Lane 1999
-    if (!(residual <= 1e-6)) refuse(residual, "at its strength", "the body yields");
+    Real left = balance(stiffness, elastic);
+    if (!(left <= elastic.tolerance)) refuse(left, elastic);
+    follow(Unknowns(loads_.size(), 0.0), plastic.yields);
+    left = balance(stiffness, plastic);
+    if (!(left <= plastic.tolerance)) refuse(left, plastic);
 
     for (std::size_t k = 0; k < tau_.size(); ++k)
       for (std::size_t i = 0; i < tau_[k].size(); ++i)
         state_.particles.tau[i][state_.order.row(k)] =
             static_cast<typename Shape::Number>(tau_[k][i]);
-    return {unknowns_, iterations_, residual};
+    return {unknowns_, iterations_, left};
   }
 
  private:
   using AtNodes = std::array<Vec<Dim>, Shape::nodes>; ///< of a cell
   using Unknowns = std::vector<Real>;
+
+  struct Rule {
+    bool yields;
+    Real tolerance; ///< of what is left of the loads
+    int most;       ///< iterations
+    Real slowest;   ///< part of the residual that an iteration may leave
+    const char* how;
+    const char* reason;
+  };
+  static constexpr Rule elastic = {
+      false, 1e-10, 30, 0.5, "as if it were elastic", "walls and gates do not hold the body"};
+  /// Iterations as Griffiths & Lane 1999.
+  static constexpr Rule plastic = {true,
+                                   1e-6,
+                                   1000,
+                                   std::numeric_limits<Real>::infinity(),
+                                   "at its strength",
+                                   "the body yields"};
 
   /// Of a nodal component: `sign` times an unknown; sign 0: it does not move.
   struct Unknown {
@@ -214,7 +234,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
                 stiffness.add(row.index, column.index, -row.sign * f[at][j]);
         }
     }
-    stiffness.factorise();
+    stiffness.prepare();
   }
 
   /// Lets all stresses follow, and finds what is then left of the loads.
@@ -230,14 +250,17 @@ template <int Dim, class Shape> class StaticEquilibrium {
       add_to_unknowns(slot, forces[slot], unbalanced_);
   }
 
-  /// Until what is left of the loads is within the tolerance, or `most` iterations.  Returns it.
-  Real balance(const SparseSystem& stiffness, bool yields, Real tolerance, int most) {
-    for (int k = 0;; ++k) {
-      const Real left = norm(unbalanced_) / load_;
-      if (left <= tolerance || k == most) return left;
-      follow(stiffness.solve(unbalanced_), yields);
+  /// Until what is left of the loads is within the tolerance, or hardly gets less.  Returns it.
+  Real balance(const SparseSystem& stiffness, const Rule& rule) {
+    Real left = norm(unbalanced_) / load_;
+    for (int k = 0; left > rule.tolerance && k < rule.most; ++k) {
+      follow(stiffness.solve(unbalanced_), rule.yields);
       ++iterations_;
+      const Real before = left;
+      left = norm(unbalanced_) / load_;
+      if (left > rule.slowest * before) break;
     }
+    return left;
   }
 
   static Real norm(const Unknowns& f) {
@@ -246,19 +269,19 @@ template <int Dim, class Shape> class StaticEquilibrium {
     return std::sqrt(sum);
   }
 
-  [[noreturn]] void refuse(Real left, const char* how, const char* reason) const {
+  [[noreturn]] void refuse(Real left, const Rule& rule) const {
     std::ostringstream text;
     text.precision(3);
     text << "method.initial_stress: no static equilibrium: " << 100.0 * left
          << " % of the loads at time 0 are left without balance after " << iterations_
-         << " iterations " << how << ": " << reason
+         << " iterations " << rule.how << ": " << rule.reason
          << "; hold it, or leave the key out and let gravity rise in a [[stage]]";
     throw SetupError(text.str());
   }
 
   State<Dim, Shape>& state_;
   const std::vector<MaterialModel>& materials_;
-  std::vector<SymTensor<Dim>> tau_;             ///< Pa, cell after cell
+  std::vector<SymTensor<Dim>> tau_; ///< Pa, cell after cell
   std::vector<std::array<Unknown, Dim>> of_node_;
   int unknowns_ = 0;
   Unknowns loads_, unbalanced_; ///< N

@@ -100,16 +100,16 @@ std::string plan_line(const Simulation& simulation) {
 } // namespace
 
 class StaticColumn : public testing::TestWithParam<Variant> {};
-INSTANTIATE_TEST_SUITE_P(
-    Methods, StaticColumn,
-    testing::Values(Variant{ShapeFunctions::linear, VolumeRate::point},
-                    Variant{ShapeFunctions::linear, VolumeRate::cell_average},
-                    Variant{ShapeFunctions::gimp, VolumeRate::point},
-                    Variant{ShapeFunctions::gimp, VolumeRate::cell_average},
-                    Variant{ShapeFunctions::bspline, VolumeRate::point},
-                    Variant{ShapeFunctions::bspline, VolumeRate::cell_average},
-                    Variant{ShapeFunctions::bspline, VolumeRate::point, VelocityTransfer::apic}),
-    [](const auto& test) { return name_of(test.param); });
+INSTANTIATE_TEST_SUITE_P(Methods, StaticColumn,
+                         testing::Values(Variant{ShapeFunctions::linear, VolumeRate::point},
+                                         Variant{ShapeFunctions::linear, VolumeRate::cell_average},
+                                         Variant{ShapeFunctions::gimp, VolumeRate::point},
+                                         Variant{ShapeFunctions::gimp, VolumeRate::cell_average},
+                                         Variant{ShapeFunctions::bspline, VolumeRate::point},
+                                         Variant{ShapeFunctions::bspline, VolumeRate::cell_average},
+                                         Variant{ShapeFunctions::bspline, VolumeRate::point,
+                                                 VelocityTransfer::apic}),
+                         [](const auto& test) { return name_of(test.param); });
 
 /// sigma_zz = - rho g (H - z), sigma_xx = sigma_yy = nu / (1 - nu) sigma_zz = sigma_zz / 3, within
 /// the weight of half a cell.  Linear functions have the stress of a cell's middle, exactly.
@@ -132,8 +132,8 @@ TEST_P(StaticColumn, StressIsTheOverburden) {
     }
     const double half_a_cell = 0.5 * density * g * h;
     EXPECT_LE(worst, linear ? 1e-9 * base_stress : half_a_cell);
-    EXPECT_LE(worst_side, linear || GetParam().rate == VolumeRate::point ? 1e-9 * base_stress
-                                                                         : half_a_cell);
+    EXPECT_LE(worst_side,
+              linear || GetParam().rate == VolumeRate::point ? 1e-9 * base_stress : half_a_cell);
     EXPECT_LE(shear, 1e-9 * base_stress);
   }
 }
@@ -146,8 +146,7 @@ TEST_P(StaticColumn, StaysAtRest) {
     EXPECT_GT(strain, 0.0);
     EXPECT_EQ(simulation->energies().scheme_loss, 0.0) << "what is there at time 0 is no gain";
     for (const double u : simulation->field("displacement")) EXPECT_EQ(u, 0.0);
-    for (const double rho : simulation->field("density"))
-      EXPECT_NEAR(rho, density, 1e-9 * density);
+    for (const double rho : simulation->field("density")) EXPECT_NEAR(rho, density, 1e-9 * density);
     expect_rest(*simulation, height, 300);
     EXPECT_LE(std::abs(simulation->energies().scheme_loss), 1e-9 * strain);
   }
