@@ -23,7 +23,6 @@
 #include "core/walls.hpp"
 
 #include <cmath>
-#include <limits>
 #include <span>
 #include <sstream>
 #include <vector>
@@ -76,19 +75,19 @@ template <int Dim, class Shape> class StaticEquilibrium {
     bool yields;
     Real tolerance; ///< of what is left of the loads
     int most;       ///< iterations
-    Real slowest;   ///< part of the residual that an iteration may leave
-    const char* how;
+    int window;     ///< iterations that show their pace
+    const char* what;
     const char* reason;
   };
-  static constexpr Rule elastic = {
-      false, 1e-10, 30, 0.5, "as if it were elastic", "walls and gates do not hold the body"};
-  /// Iterations as Griffiths & Lane 1999.
-  static constexpr Rule plastic = {true,
-                                   1e-6,
-                                   1000,
-                                   std::numeric_limits<Real>::infinity(),
-                                   "at its strength",
-                                   "the body yields"};
+  static constexpr Rule elastic = {false,
+                                   1e-10,
+                                   30,
+                                   1,
+                                   "as if it were elastic",
+                                   "walls and gates do not hold the body; hold it"};
+  /// With as many iterations as Griffiths & Lane 1999.
+  static constexpr Rule plastic = {
+      true, 1e-6, 1000, 50, "at its strength", "the body yields; support it"};
 
   /// Of a nodal component: `sign` times an unknown; sign 0: it does not move.
   struct Unknown {
@@ -175,7 +174,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
   AtNodes respond(std::size_t slot, const std::vector<Shape>& shapes, const AtNodes& u,
                   std::span<SymTensor<Dim>> tau, bool yields) const {
     const auto row = [&](std::size_t k) { return state_.order.row(state_.order.begin(slot) + k); };
-    // What a point's value lacks to the mean of the cell.
+    // What a point's value lacks to the mean of the cell, whose points come in order.
     const auto excess = [&](std::size_t k, auto&& value) {
       if (!state_.averages_volume) return 0.0;
       std::size_t next = 0;
@@ -250,17 +249,18 @@ template <int Dim, class Shape> class StaticEquilibrium {
       add_to_unknowns(slot, forces[slot], unbalanced_);
   }
 
-  /// Until what is left of the loads is within the tolerance, or hardly gets less.  Returns it.
+  /// Until what is left of the loads is within the tolerance, or would not be in time at the
+  /// present pace.  Returns it.
   Real balance(const SparseSystem& stiffness, const Rule& rule) {
-    Real left = norm(unbalanced_) / load_;
-    for (int k = 0; left > rule.tolerance && k < rule.most; ++k) {
+    std::vector<Real> left = {norm(unbalanced_) / load_};
+    for (int k = 1; left.back() > rule.tolerance && k <= rule.most; ++k, ++iterations_) {
       follow(stiffness.solve(unbalanced_), rule.yields);
-      ++iterations_;
-      const Real before = left;
-      left = norm(unbalanced_) / load_;
-      if (left > rule.slowest * before) break;
+      left.push_back(norm(unbalanced_) / load_);
+      if (k < rule.window) continue;
+      const Real pace = left.back() / left[static_cast<std::size_t>(k - rule.window)];
+      if (left.back() * std::pow(pace, (rule.most - k) / rule.window) > rule.tolerance) break;
     }
-    return left;
+    return left.back();
   }
 
   static Real norm(const Unknowns& f) {
@@ -274,8 +274,8 @@ template <int Dim, class Shape> class StaticEquilibrium {
     text.precision(3);
     text << "method.initial_stress: no static equilibrium: " << 100.0 * left
          << " % of the loads at time 0 are left without balance after " << iterations_
-         << " iterations " << rule.how << ": " << rule.reason
-         << "; hold it, or leave the key out and let gravity rise in a [[stage]]";
+         << " iterations " << rule.what << ": " << rule.reason
+         << ", or leave the key out and let gravity rise in a [[stage]]";
     throw SetupError(text.str());
   }
 

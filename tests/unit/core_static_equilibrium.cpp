@@ -154,19 +154,23 @@ TEST_P(StaticColumn, StaysAtRest) {
 
 /// Corners, a load that is askew, two stiffnesses: no closed form, but no motion either.
 TEST_P(StaticColumn, BodiesOfAnyShapeStayAtRest) {
-  Scene scene;
-  scene.grid = grid_2d(0.5, {0.0, 0.0}, {6.0, 4.0});
-  scene.grid.walls[2][0].kind = WallKind::fixed;
-  scene.grid.walls[0][0].kind = WallKind::symmetry;
-  scene.materials = {elastic("rock", 2500.0, 1e9, 0.2), elastic("clay", 1500.0, 1e6, 0.45)};
-  scene.gravity = {3.0, 0.0, -9.0};
-  Region wedge = box("wedge", "rock", {0.0, 0.0}, {0.0, 0.0});
-  wedge.polygon = {{0.0, 0.0}, {5.0, 0.0}, {1.3, 2.1}, {0.0, 2.1}};
-  scene.regions = {wedge, box("top", "clay", {0.0, 2.25}, {1.2, 3.4})};
-  scene.stages = {stage("only")};
-  scene.stages[0].body_force = {{"top", {{{0.0, 2.0}}}}};
-  const auto simulation = make_simulation(with(scene, GetParam()));
-  expect_rest(*simulation, 3.4, 100);
+  for (const int dimension : {2, 3}) {
+    SCOPED_TRACE(dimension);
+    Scene scene;
+    scene.grid = dimension == 2 ? grid_2d(0.5, {0.0, 0.0}, {6.0, 4.0})
+                                : grid_3d(0.5, {0.0, 0.0, 0.0}, {6.0, 2.0, 4.0});
+    scene.grid.walls[2][0].kind = WallKind::fixed;
+    scene.grid.walls[0][0].kind = WallKind::symmetry;
+    scene.materials = {elastic("rock", 2500.0, 1e9, 0.2), elastic("clay", 1500.0, 1e6, 0.45)};
+    scene.gravity = {3.0, 0.0, -9.0};
+    Region wedge = box("wedge", "rock", {0.0, 0.0}, {0.0, 0.0}, {}, {0.1, 1.6});
+    wedge.polygon = {{0.0, 0.0}, {5.0, 0.0}, {1.3, 2.1}, {0.0, 2.1}};
+    scene.regions = {wedge, box("top", "clay", {0.0, 2.25}, {1.2, 3.4}, {}, {0.0, 1.2})};
+    scene.stages = {stage("only")};
+    scene.stages[0].body_force = {{"top", {{{0.0, 2.0}}}}};
+    const auto simulation = make_simulation(with(scene, GetParam()));
+    expect_rest(*simulation, 3.4, 100);
+  }
 }
 
 TEST(StaticEquilibrium, IsSaidInThePlan) {
@@ -244,12 +248,14 @@ TEST(StaticEquilibrium, IsTheSameToTheBitForAnyNumberOfThreads) {
 }
 
 TEST(StaticEquilibrium, RefusesWhatNothingHolds) {
-  Scene floating = column(2);
-  floating.method.initial_stress = InitialStress::equilibrium;
-  floating.grid.walls[2][0].kind = WallKind::free;
-  for (const char* words : {"100 % of the loads", "walls and gates do not hold the body",
-                            "let gravity rise in a [[stage]]"})
-    EXPECT_NE(refusal(floating).find(words), std::string::npos) << refusal(floating);
+  for (const int dimension : {2, 3}) {
+    Scene floating = column(dimension);
+    floating.method.initial_stress = InitialStress::equilibrium;
+    floating.grid.walls[2][0].kind = WallKind::free;
+    for (const char* words : {"100 % of the loads", "walls and gates do not hold the body",
+                              "let gravity rise in a [[stage]]"})
+      EXPECT_NE(refusal(floating).find(words), std::string::npos) << refusal(floating);
+  }
 
   Scene sliding = pile(0.1, 0.1, 0.02, 0.3, 0.2);
   sliding.materials = {elastic("rods", 2650.0, 0.84e6, 0.3)};
@@ -265,7 +271,7 @@ TEST(StaticEquilibrium, RefusesWhatNothingHolds) {
 TEST(StaticEquilibrium, RefusesWhatYieldsWithoutEnd) {
   Scene scene = pile(0.1, 0.1, 0.02, 0.3, 0.2);
   scene.method.initial_stress = InitialStress::equilibrium;
-  for (const char* words : {"after 10", " at its strength", "the body yields"})
+  for (const char* words : {"at its strength", "the body yields", "[[stage]]"})
     EXPECT_NE(refusal(scene).find(words), std::string::npos) << refusal(scene);
 }
 
