@@ -44,7 +44,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
   }
 
   /// Gives the points their stress under the loads b(p), m/s2, of rows p.  Throws SetupError if
-  /// walls and gates do not hold the body, or if it yields without an end.
+  /// walls and gates do not hold the body, or if it yields without an end or nearly so.
   template <class BodyForce> Equilibrium find(BodyForce&& b) {
     add_up_loads(b);
     load_ = norm(loads_);
@@ -85,9 +85,10 @@ template <int Dim, class Shape> class StaticEquilibrium {
                                    1,
                                    "as if it were elastic",
                                    "walls and gates do not hold the body; hold it"};
-  /// With as many iterations as Griffiths & Lane 1999.
+  /// With as many iterations as Griffiths & Lane 1999: their slope of F = 1.4 is balanced up to F
+  /// = 1.2.
   static constexpr Rule plastic = {
-      true, 1e-6, 1000, 50, "at its strength", "the body yields; support it"};
+      true, 1e-6, 1000, 50, "at its strength", "the body fails or is close to it; support it"};
 
   /// Of a nodal component: `sign` times an unknown; sign 0: it does not move.
   struct Unknown {
@@ -138,6 +139,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
   std::vector<Shape> shapes_in(std::size_t slot) const {
     const StencilCell<Dim> cell = stencil_cell(state_, slot);
     std::vector<Shape> shapes;
+    shapes.reserve(state_.order.end(slot) - state_.order.begin(slot));
     for (std::size_t k = state_.order.begin(slot); k < state_.order.end(slot); ++k)
       shapes.push_back(shape_at(state_, cell, state_.order.row(k)));
     return shapes;
@@ -181,6 +183,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
       return cell_mean(state_, slot, [&](std::size_t) { return value(next++); }) - value(k);
     };
     std::vector<Mat<Dim>> e;
+    e.reserve(shapes.size());
     for (const Shape& shape : shapes) e.push_back(strain(shape, u));
     const auto divergence = [&](std::size_t k) {
       Real sum = 0.0;

@@ -144,7 +144,7 @@ TEST_F(FinishedRun, BeginsWithTheStressOfAStaticEquilibrium) {
 
   expect_complaint(
       scarp({"run", "block.toml", "--out", "none", "--set", "method.initial_stress=static"}), 2,
-      {"method.initial_stress", "the body yields", "[[stage]]"});
+      {"method.initial_stress", "the body fails", "[[stage]]"});
 }
 
 TEST_F(FinishedRun, InThreeDimensionsWritesJoules) {
