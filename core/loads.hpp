@@ -23,6 +23,9 @@ template <int Dim> class Loads {
   /// m/s2, by region; empty where the regions agree.
   const std::vector<Vec<Dim>>& own() const { return own_; }
 
+  /// m/s2, of one region's points
+  Vec<Dim> force(std::size_t region) const;
+
   /// m/s2, the size of the largest of them.
   Real largest() const;
 
@@ -40,7 +43,6 @@ template <int Dim> class Loads {
   /// sum m x by region
   template <class T> std::vector<Vec<Dim>> moments(const Particles<Dim, T>& points) const;
   Real work_at(const std::vector<Vec<Dim>>& moments) const;
-  Vec<Dim> force(std::size_t region) const;
 
   Vec<Dim> gravity_;
   std::vector<std::string> regions_;

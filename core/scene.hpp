@@ -104,6 +104,10 @@ enum class VelocityTransfer { flip, apic, aflip };
 /// The rate of volume of a point: its own, or the mean of its cell (core/stress_pass.hpp).
 enum class VolumeRate { point, cell_average };
 
+/// The stress at time 0.  equilibrium: that which bears the loads of time 0
+/// (core/static_equilibrium.hpp).
+enum class InitialStress { none, equilibrium };
+
 /// Of what points and nodes carry.  Positions, time and energies are double in both.
 enum class Precision { double_precision, single };
 
@@ -119,6 +123,7 @@ struct Method {
   VolumeRate volume_rate = VolumeRate::point;
   VelocityTransfer transfer = VelocityTransfer::flip;
   Precision precision = Precision::double_precision;
+  InitialStress initial_stress = InitialStress::none;
   /// Part of FLIP in the velocity update, 1 - flip of PIC; no part of it in VelocityTransfer::apic.
   double flip = 1.0;
   double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1

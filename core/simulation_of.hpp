@@ -9,8 +9,10 @@
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
 #include "core/loads.hpp"
+#include "core/material_model.hpp"
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
+#include "core/static_equilibrium.hpp"
 #include "core/stress_pass.hpp"
 #include "core/time_step.hpp"
 #include "core/walls.hpp"
@@ -18,30 +20,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <variant>
 
 namespace scarp {
-
-using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate>;
-
-/// A material with everything that its constants give, worked out once.
-struct MaterialModel {
-  ElasticModuli moduli;
-  Real density; ///< kg/m3, before loading
-  AnyUpdate update;
-  bool opens = false; ///< remembers gaps
-
-  explicit MaterialModel(const Material& material)
-      : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
-        density(material.density) {
-    if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
-      update = DruckerPragerUpdate::from(*law, moduli);
-      opens = law->opening == Opening::remembered;
-    }
-  }
-};
 
 inline bool remembers_gaps(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
@@ -93,9 +77,17 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       throw SetupError(start ? "no stage begins from another run's state"
                              : "stage '" + continued->name + "' begins from '" +
                                    continued->begin_from + "', and there is no such state");
+    if (scene.method.initial_stress != InitialStress::none && continued == stages_.begin())
+      throw SetupError("the first stage begins from another run's state, and with its stress: "
+                       "method.initial_stress must be 'none'");
     if (start) take_over(*start);
     begin_stage(start ? static_cast<std::size_t>(continued - stages_.begin()) : 0);
     state_.order.update(state_.particles);
+    if (!start && scene.method.initial_stress == InitialStress::equilibrium)
+      equilibrium_ =
+          StaticEquilibrium<Dim, Shape>(state_, walls_, materials_).find([this](std::size_t p) {
+            return body_force(p);
+          });
     for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
     loads_.settle(state_.particles);
     first_energies_ = energies();
@@ -242,8 +234,26 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       points.material[p] = material_of_region_[points.region[p]];
   }
 
+  /// m/s2, at row p and the present time.
+  Vec<Dim> body_force(std::size_t p) const {
+    Vec<Dim> b = loads_.force(state_.particles.region[p]);
+    if (!scene_.body_force) return b;
+    const std::array<double, 3> more = scene_.body_force(place(p), time_);
+    for (int a = 0; a < Dim; ++a) b[static_cast<std::size_t>(a)] += more[scene_axis<Dim>(a)];
+    return b;
+  }
+
+  /// m, x y z of row p; y = 0 in plane strain.
+  std::array<double, 3> place(std::size_t p) const {
+    std::array<double, 3> x = {0.0, 0.0, 0.0};
+    for (int a = 0; a < Dim; ++a)
+      x[scene_axis<Dim>(a)] = state_.particles.x[static_cast<std::size_t>(a)][p];
+    return x;
+  }
+
   void take_over(const Snapshot& start);
   std::string stages_line() const;
+  std::string initial_stress_line() const;
 
   /// dt = min(CFL, the user's maximum), afresh each step.  `until` and the opening of gates are met
   /// to the bit; the last two steps before them share what is left.
@@ -338,9 +348,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
                          const std::string& advice) const {
     const auto& id = state_.particles.id;
     const auto p = static_cast<std::size_t>(std::find(id.begin(), id.end(), bad) - id.begin());
-    std::array<double, 3> x = {0.0, 0.0, 0.0};
-    for (int a = 0; a < Dim; ++a)
-      x[scene_axis<Dim>(a)] = state_.particles.x[static_cast<std::size_t>(a)][p];
+    const std::array<double, 3> x = place(p);
     std::ostringstream text;
     text << "step " << steps_ + 1 << ", time " << time_ << " s: point " << bad
          << " at x = " << x[0];
@@ -360,6 +368,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   std::size_t stage_ = 0;
   double stage_start_ = 0.0;      ///< s
   std::array<Column, Dim> start_; ///< m, positions before the first step, in the order of creation
+  std::optional<Equilibrium> equilibrium_; ///< that the run began with
   Energies first_energies_;
   Real fastest_ = 0.0;         ///< m/s, largest speed of a point
   double damping_work_ = 0.0;  ///< J

@@ -118,6 +118,18 @@ template <int Dim, class Shape> std::string SimulationOf<Dim, Shape>::stages_lin
   return text.str();
 }
 
+template <int Dim, class Shape> std::string SimulationOf<Dim, Shape>::initial_stress_line() const {
+  if (scene_.method.initial_stress == InitialStress::none) return "none, skipped";
+  if (!equilibrium_) return "that of the run it begins from";
+  if (equilibrium_->iterations == 0) return "static equilibrium without a load: none";
+  std::ostringstream text;
+  text.precision(2);
+  text << "static equilibrium, " << equilibrium_->unknowns << " unknowns, "
+       << equilibrium_->iterations << (equilibrium_->iterations == 1 ? " iteration" : " iterations")
+       << ", residual " << equilibrium_->residual << " of the loads";
+  return text.str();
+}
+
 template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::plan() const {
   const Method& method = scene_.method;
   const auto scheme = [&] {
@@ -157,6 +169,7 @@ template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::
                    : scene_.method.settling_damping > 0.0 ? "damped until the last gate opens"
                                                           : "not damped"},
       {"friction walls", !walls_.friction().empty() ? "on" : "none, skipped"},
+      {"initial stress", initial_stress_line()},
       {"stages", stages_line()},
       {"gates", scene_.gates.empty() ? "none, skipped" : std::to_string(scene_.gates.size())},
   };

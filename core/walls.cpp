@@ -54,6 +54,25 @@ template <int Dim> double Walls<Dim>::next_opening(double time) const {
   return next;
 }
 
+template <int Dim>
+typename Walls<Dim>::DegreeOfFreedom Walls<Dim>::degree_of_freedom(int node,
+                                                                   std::size_t component) const {
+  DegreeOfFreedom of = {node, 1.0};
+  const auto reflect = [&](std::size_t axis, std::size_t side, Real sign) {
+    for (const auto& [outer, inner] : grid_->side_layers(axis, side)) {
+      if (of.node / grid_->node_stride[axis] % grid_->nodes[axis] != outer) continue;
+      of.node += (inner - outer) * grid_->node_stride[axis];
+      of.sign *= outer == inner ? 0.0 : sign;
+      return;
+    }
+  };
+  for (const Mirror& mirror : mirrors_) reflect(mirror.axis, mirror.side, mirror.sign(component));
+  for (const Friction& friction : friction_)
+    if (friction.axis == component) reflect(friction.axis, friction.side, -1.0);
+  if (held_[static_cast<std::size_t>(of.node)] >> component & 1U) of.sign = 0.0;
+  return of;
+}
+
 template <int Dim> void Walls<Dim>::hold_nodes(double time) {
   held_.assign(static_cast<std::size_t>(grid_->node_count), 0);
   const auto place = [this](int node, std::size_t axis) {

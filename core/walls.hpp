@@ -50,6 +50,15 @@ template <int Dim> class Walls {
     return any != 0;
   }
 
+  /// A component of a node's displacement: `sign` times that of `node`; sign 0: held at 0.
+  struct DegreeOfFreedom {
+    int node;
+    Real sign;
+  };
+  /// For a body at rest (core/static_equilibrium.hpp).  Friction sides then hold the normal
+  /// component both ways, also where the body would come off, and nothing along them.
+  DegreeOfFreedom degree_of_freedom(int node, std::size_t component) const;
+
   /// A side whose outer nodes are images of the inner ones.
   struct Mirror {
     std::size_t axis, side;

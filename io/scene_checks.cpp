@@ -163,6 +163,12 @@ void check_stages(const Scene& scene, SceneReport& report) {
       report.problem(key + ".begin_from",
                      fmt::format("is given as {}.begin_from is; must be given once", continued));
     if (!stage.begin_from.empty()) continued = key;
+    if (i == 0 && !stage.begin_from.empty() && report.usable({"method.initial_stress"}) &&
+        scene.method.initial_stress != InitialStress::none)
+      report.problem("method.initial_stress",
+                     fmt::format("is 'static', and {}.begin_from brings a stress along; must be "
+                                 "'none'",
+                                 key));
   }
 }
 

@@ -158,6 +158,11 @@ Section<Method> method_section() {
               {{"double", Precision::double_precision}, {"single", Precision::single}},
               "Numbers of points and nodes; positions are double in both. Single "
               "goes with linear and bspline."),
+          word<Method, InitialStress>(
+              "initial_stress", &Method::initial_stress,
+              {{"none", InitialStress::none}, {"static", InitialStress::equilibrium}},
+              "The stress at time 0: none, or that of the static equilibrium under the loads of "
+              "time 0. Strains, displacements and gaps count from there."),
           number<Method>("flip", "", &Method::flip, {.at_least = 0, .at_most = 1},
                          "Part of FLIP in the velocity update; the rest is PIC. Not used by apic."),
           number<Method>("local_damping", "", &Method::local_damping, {.at_least = 0, .below = 1},

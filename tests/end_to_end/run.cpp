@@ -118,6 +118,35 @@ TEST_F(FinishedRun, IsTheSameToTheBitForAnyNumberOfThreads) {
   EXPECT_EQ(nlohmann::json::parse(content(*this / "2/run.json")).at("threads"), 2);
 }
 
+/// The block stands from the start, its stress said in the plan; without cohesion it cannot.
+TEST_F(FinishedRun, BeginsWithTheStressOfAStaticEquilibrium) {
+  const std::vector<std::string> held = {"block.toml", "--set", "method.initial_stress=static",
+                                         "--set", "material.rods.cohesion_Pa=1e4"};
+  const auto with = [&](std::vector<std::string> words, std::vector<std::string> more) {
+    words.insert(words.end(), held.begin(), held.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return scarp(words);
+  };
+  const Result info = with({"info"}, {});
+  expect_success(info);
+  EXPECT_NE(info.out.find("  initial stress  static equilibrium, "), std::string::npos) << info.out;
+
+  expect_success(with({"run"}, {"--out", "out"}));
+  const auto record = nlohmann::json::parse(content(*this / "out/run.json"));
+  EXPECT_TRUE(record.at("plan").at("initial stress").get<std::string>().starts_with("static"));
+  const io::Table history = io::read_table(*this / "out/history.csv");
+  const double scale = history.column("gravitational_J_per_m").front();
+  EXPECT_LT(history.column("kinetic_J_per_m").back(), 1e-12 * scale);
+  const auto& strain = history.column("strain_J_per_m");
+  EXPECT_GT(strain.front(), 0.0);
+  EXPECT_NEAR(strain.back(), strain.front(), 1e-9 * strain.front());
+  EXPECT_NEAR(history.column("scheme_loss_J_per_m").back(), 0.0, 1e-9 * strain.front());
+
+  expect_complaint(
+      scarp({"run", "block.toml", "--out", "none", "--set", "method.initial_stress=static"}), 2,
+      {"method.initial_stress", "the body fails", "[[stage]]"});
+}
+
 TEST_F(FinishedRun, InThreeDimensionsWritesJoules) {
   std::string text = small_scene;
   text.replace(text.find("[grid]"), 6, "[grid]\ndimension = 3");

@@ -1,10 +1,9 @@
 #include "core/fields.hpp"
 #include "core/simulation.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/threads.hpp"
 
 #include <gtest/gtest.h>
-
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,18 +50,6 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 double largest_size(const std::vector<double>& a) {
   return largest_difference(a, std::vector<double>(a.size(), 0.0));
 }
-
-/// Sets OpenMP's number of threads as long as it lives.
-class Threads {
- public:
-  explicit Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }
-  ~Threads() { omp_set_num_threads(before_); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
 
 } // namespace
 

@@ -88,6 +88,30 @@ TEST(Walls, HoldTheNodesThatMatterOnTheirPlane) {
       << "the image of a held one is held";
 }
 
+/// What a static solve may move: nothing that is held, and at friction sides nothing across them.
+TEST(Walls, DegreesOfFreedomAreTheNodesOwn) {
+  Scene scene = scene_2d();
+  scene.grid.walls[0][0].kind = WallKind::fixed;
+  scene.grid.walls[2][0] = friction(0.5);
+  scene.gates = {{"gate", 0, 2.0, 1.0}};
+  const Fixture<2> fixture(scene);
+  const auto moves = [&](int at) {
+    std::array<bool, 2> free = {};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto [of, sign] = fixture.walls.degree_of_freedom(at, i);
+      EXPECT_EQ(of, at);
+      EXPECT_TRUE(sign == 0.0 || sign == 1.0);
+      free[i] = sign != 0.0;
+    }
+    return free;
+  };
+  EXPECT_EQ(moves(node(0, 2)), (std::array{false, false})) << "fixed";
+  EXPECT_EQ(moves(node(1, 0)), (std::array{true, false})) << "friction";
+  EXPECT_EQ(moves(node(2, 1)), (std::array{false, true})) << "a closed gate";
+  EXPECT_EQ(moves(node(2, 0)), (std::array{false, false})) << "both";
+  EXPECT_EQ(moves(node(3, 1)), (std::array{true, true}));
+}
+
 TEST(Walls, FreeSidesDoNothing) {
   const Fixture<2> free(scene_2d());
   for (int at = 0; at < 20; ++at) {

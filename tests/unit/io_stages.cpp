@@ -146,6 +146,22 @@ TEST(StageErrors, BeginsOnce) {
                                      "stage.load.begin_from is; must be given once"});
 }
 
+/// A later stage leaves the first one out, and with it how that begins.
+TEST(StageErrors, TheStressOfAnotherRunIsTheInitialOne) {
+  const std::string method = "initial_stress = \"static\"\n";
+  std::string text = with_stages("body_force", "begin_from = \"x\"\nbody_force");
+  text.replace(text.find("scheme ="), 0, method);
+  EXPECT_EQ(problems_of(text), std::vector<std::string>{});
+  text = with_stages("gravity = [[0", "begin_from = \"x\"\ngravity = [[0");
+  text.replace(text.find("scheme ="), 0, method);
+  const std::vector<std::string> problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].find("method.initial_stress: is 'static', and stage.load.begin_from brings "
+                             "a stress along; must be 'none'"),
+            std::string::npos)
+      << problems[0];
+}
+
 /// The last frame of a run that did the first stage only.
 TEST(BeginFrom, TheLastFrameOfAnotherRun) {
   const fs::path directory = fresh_directory();

@@ -1,0 +1,29 @@
+// A material with everything that its constants give, worked out once.
+#pragma once
+
+#include "core/drucker_prager.hpp"
+#include "core/scene.hpp"
+
+#include <variant>
+
+namespace scarp {
+
+using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate>;
+
+struct MaterialModel {
+  ElasticModuli moduli;
+  Real density; ///< kg/m3, before loading
+  AnyUpdate update;
+  bool opens = false; ///< remembers gaps
+
+  explicit MaterialModel(const Material& material)
+      : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
+        density(material.density) {
+    if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
+      update = DruckerPragerUpdate::from(*law, moduli);
+      opens = law->opening == Opening::remembered;
+    }
+  }
+};
+
+} // namespace scarp
