@@ -75,32 +75,38 @@ template <int Dim, class T>
 /// Stress after the strain increment dt (sym(grad_v) + dilation / 3 I) and spin dt skw(grad_v):
 /// elastic trial, then the law's return.  Returns what was irreversible.  `gap` and `room`: see
 /// core/drucker_prager.hpp.
+/// The trial is tau <- R (tau + dtau/2) R^T + dtau/2, the trapezoidal rule in the frame that turns
+/// with the spin, of second order; the isotropic part of dtau is the same on either side of R.
 template <int Dim, class T = Real, class Law>
 [[gnu::always_inline]] inline PlasticStep<T>
 update_stress(SymTensor<Dim, T>& tau, T& gap, const std::type_identity_t<T>& room,
               const Mat<Dim, T>& grad_v, const std::type_identity_t<T>& dilation, Real dt,
               const ElasticModuli& moduli, const Law& law) {
   const auto step = number<T>(dt), half_step = number<T>(0.5 * dt);
+  const auto shear = number<T>(moduli.shear * dt), half_shear = number<T>(0.5 * moduli.shear * dt);
+  const auto add_half_of_shear = [&]() __attribute__((always_inline)) { // of 2 G dt d
+    for (std::size_t i = 0; i < Dim; ++i) {
+      tau[i] += shear * grad_v[i][i];
+      for (std::size_t j = i + 1; j < Dim; ++j)
+        tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))] +=
+            half_shear * (grad_v[i][j] + grad_v[j][i]);
+    }
+  };
   const auto spin = [&](std::size_t i, std::size_t j) -> T {
     return half_step * (grad_v[i][j] - grad_v[j][i]);
   };
+  add_half_of_shear();
   if constexpr (Dim == 2)
     rotate<2, T>(tau, {spin(0, 1)});
   else
     rotate<3, T>(tau, {spin(0, 1), spin(1, 2), spin(0, 2)});
+  add_half_of_shear();
 
   T volumetric = 0.0F;
   for (std::size_t i = 0; i < Dim; ++i) volumetric += step * grad_v[i][i];
   const T lame = number<T>(moduli.bulk - 2.0 / 3.0 * moduli.shear) * volumetric +
                  number<T>(moduli.bulk * dt) * dilation;
-  const auto shear = number<T>(moduli.shear * dt), twice_shear = number<T>(2.0 * moduli.shear * dt);
   for (std::size_t i = 0; i < 3; ++i) tau[i] += lame;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    tau[i] += twice_shear * grad_v[i][i];
-    for (std::size_t j = i + 1; j < Dim; ++j)
-      tau[component<Dim>(static_cast<int>(i), static_cast<int>(j))] +=
-          shear * (grad_v[i][j] + grad_v[j][i]);
-  }
   return law.template operator()<Dim, T>(tau, gap, room);
 }
 

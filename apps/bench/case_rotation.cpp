@@ -3,7 +3,7 @@
 //
 // Simple shear v_x = gamma_dot z: the Jaumann law gives tau_xz = G sin(gamma) and
 // tau_xx - tau_zz = 2 G (1 - cos(gamma)) (apps/bench/vortex.hpp, with the axes of the shear fixed).
-// Second order in the step is demanded: a rate law integrated at the midpoint has it.
+// Second order in the step is demanded: the trapezoidal rule in the turning frame has it.
 #include "apps/bench/bar.hpp"
 #include "apps/bench/cases.hpp"
 #include "apps/bench/charts.hpp"
@@ -123,8 +123,7 @@ CaseReport rotation_case(Effort) {
        "a turn of 360 degrees takes the stress back", "3-D, 360 steps; parts of the stress"},
       {"simple_shear_order", convergence.order(), 2.0, 1.8, Bound::at_least, "-",
        "Jaumann law, tau = G sin(gamma), to gamma = 2 pi",
-       "the update turns the old stress by the whole spin and then adds the increment of strain as "
-       "it is, not turned by half the spin: of first order in the step"},
+       "half of each increment is turned with the stress, half is added after the turn"},
       {"angular_momentum_kept", discs[2].y.back(), 1.0, 0.02, Bound::relative, "-",
        "nothing acts on a free disc",
        "AFLIP, B-splines, after a turn with 8 cells a radius; FLIP and APIC: see the figure"}};
