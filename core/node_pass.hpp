@@ -120,12 +120,16 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 /// v_I += dt (f_int + m g + f_damping)_I / m_I; keeps the change in dv for the FLIP increment.
 /// Local damping: each component of the unbalanced force loses the part `damping` of its size
 /// against the motion (Cundall 1987).
+/// What damping and friction take is their force times the velocity that points and strain see:
+/// mostly this one, or (State::moves_with_strain) the remapped one, in remap_velocity_pass.
 template <int Dim, class Shape>
 void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
                            const std::type_identity_t<Vec<Dim>>& gravity, Real damping, Real dt) {
   using T = typename Shape::Number;
   Nodes<Dim, T>& nodes = state.nodal.nodes;
   state.nodal.damped.assign(state.order.node_runs().size(), 0.0);
+  for (auto& drag : nodes.drag)
+    drag.resize(damping > 0.0 && state.moves_with_strain ? nodes.m.size() : 0);
   const auto add_up_forces = [&](const auto& run) {
     const auto first = static_cast<std::size_t>(run.node);
     for (std::size_t i = 0; i < Dim; ++i) {
@@ -155,7 +159,10 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       const T* v = &nodes.v[i][first];
       T* dv = &nodes.dv[i][first];
       for (std::size_t k = 0; k < run.count; ++k) dv[k] = v[k] - before[i][k];
-      if (damping > 0.0) // of what moves together, each node counts for its part of the mass
+      if (damping == 0.0) continue;
+      if (state.moves_with_strain)
+        std::copy_n(drag[i].begin(), run.count, &nodes.drag[i][first]);
+      else // of what moves together, each node counts for its part of the mass
         for (std::size_t k = 0; k < run.count; ++k)
           state.nodal.damped[number] +=
               nodes.m[first + k] * inv_m[k] * taken_work(before[i][k], v[k], -dt * drag[i][k]);
@@ -168,12 +175,22 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
 
 /// MUSL: v_I from the points' updated momenta; masses and weights are those of the first mapping.
 template <int Dim, class Shape>
-void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls, Real dt) {
   sweep_nodes(
       state, walls, [&](const auto& run) { add_up_momenta(state, run); },
       [&] { add_images(state, walls, state.nodal.nodes.v); },
       [&](const auto& run, std::size_t) { find_velocities(state, walls, run); });
-  stick_pass(state, walls);
+  const Real rubbed = stick_pass(state, walls);
+  if (!state.moves_with_strain) return;
+  state.nodal.rubbed = rubbed;
+  const Nodes<Dim, typename Shape::Number>& nodes = state.nodal.nodes;
+  if (nodes.drag[0].empty()) return;
+  for_each_node_run(state, [&](const auto& run, std::size_t number) {
+    for (std::size_t n = static_cast<std::size_t>(run.node), end = n + run.count; n < end; ++n)
+      for (std::size_t i = 0; i < Dim; ++i)
+        state.nodal.damped[number] -=
+            nodes.m[n] * nodes.inv_m[n] * dt * nodes.drag[i][n] * nodes.v[i][n];
+  });
 }
 
 } // namespace scarp

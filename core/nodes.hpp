@@ -72,7 +72,9 @@ template <int Dim, class T = Real> struct Nodes {
   std::array<Column, Dim> f;  ///< N, with gravity
   std::array<Column, Dim> v;  ///< m/s, after the latest constraint
   std::array<Column, Dim> dv; ///< m/s, change by the forces of this step
-  Column fraction;            ///< -, see GridState::tracks_fraction
+  /// N, of local damping in this step; empty without it, and if no one asks (core/node_pass.hpp)
+  std::array<Column, Dim> drag;
+  Column fraction; ///< -, see GridState::tracks_fraction
 };
 
 template <int Dim, class Shape> struct GridState {
@@ -80,8 +82,12 @@ template <int Dim, class Shape> struct GridState {
   Nodes<Dim, typename Shape::Number> nodes;
   Column damped;     ///< J, taken in this step by local damping, by run of nodes
   Real rubbed = 0.0; ///< J, taken in this step by friction on walls
-  /// By axis, side and pair (CellOrder::side_pairs): whether friction has stopped it in this step.
-  std::array<std::array<std::vector<std::uint8_t>, 2>, Dim> stuck;
+  /// By axis, side and pair (CellOrder::side_pairs): what friction has done in this step.
+  struct Rub {
+    Vec<Dim> dv = {};   ///< m/s, to the velocity on the side, along it
+    bool stuck = false; ///< whether it has stopped it
+  };
+  std::array<std::array<std::vector<Rub>, 2>, Dim> rubs;
 
   /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
   bool tracks_fraction;
@@ -90,7 +96,7 @@ template <int Dim, class Shape> struct GridState {
   /// Bytes.
   std::size_t memory() const {
     std::size_t bytes = bytes_of(nodes.m, nodes.inv_m, nodes.fraction, damped, volume);
-    for (const auto* columns : {&nodes.f, &nodes.v, &nodes.dv})
+    for (const auto* columns : {&nodes.f, &nodes.v, &nodes.dv, &nodes.drag})
       for (const auto& column : *columns) bytes += bytes_of(column);
     const auto add_lines = [&bytes](const auto& lines) {
       for (const auto& line : lines) bytes += bytes_of(line);

@@ -91,34 +91,21 @@ void hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
     });
 }
 
-/// Keeps what has stuck to friction sides in this step there, when velocities are mapped again: a
-/// wall that holds them in one mapping and lets them go in the other would drive them along.
-template <int Dim, class Shape> void stick_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  using T = typename Shape::Number;
-  for (const auto& side : walls.friction()) {
-    const std::vector<std::uint8_t>& stuck = state.nodal.stuck[side.axis][side.side];
-    for_each_push(state, side, [&](std::size_t k, std::size_t node, const Vec<Dim>& v, Real part) {
-      const Vec<Dim> left = stuck[k] ? Vec<Dim>{} : side.hold_back(v);
-      for (std::size_t i = 0; i < Dim; ++i)
-        state.nodal.nodes.v[i][node] += static_cast<T>(part * (left[i] - v[i]));
-    });
-  }
-}
-
 /// The same with Coulomb's friction, in the step's change of velocity as well.  Returns what
-/// friction takes, J.
+/// friction takes, J, with the step's velocities.
 template <int Dim, class Shape>
 Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   using T = typename Shape::Number;
   Nodes<Dim, T>& nodes = state.nodal.nodes;
   Real taken = 0.0;
   for (const auto& side : walls.friction()) {
-    std::vector<std::uint8_t>& stuck = state.nodal.stuck[side.axis][side.side];
-    stuck.assign(state.order.side_pairs(side.axis, side.side).size(), 0);
-    Column work(state.order.side_pairs(side.axis, side.side).size(), 0.0); // by pair
+    auto& rubs = state.nodal.rubs[side.axis][side.side];
+    rubs.assign(state.order.side_pairs(side.axis, side.side).size(), {});
+    Column work(rubs.size(), 0.0); // by pair
     for_each_push(state, side, [&](std::size_t k, std::size_t node, const Vec<Dim>& v, Real part) {
       const Vec<Dim> left = side.resist(v), without_friction = side.hold_back(v);
-      stuck[k] = left == Vec<Dim>{} && left != v ? 1 : 0;
+      for (std::size_t i = 0; i < Dim; ++i) rubs[k].dv[i] = left[i] - without_friction[i];
+      rubs[k].stuck = left == Vec<Dim>{} && left != v;
       for (std::size_t i = 0; i < Dim; ++i) {
         const Real before = nodes.v[i][node] - nodes.dv[i][node];
         const auto change = static_cast<T>(part * (left[i] - v[i]));
@@ -126,6 +113,28 @@ Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         nodes.dv[i][node] += change;
         work[k] += taken_work(before, nodes.v[i][node],
                               nodes.m[node] * part * (without_friction[i] - left[i]));
+      }
+    });
+    for (const Real of_pair : work) taken += of_pair;
+  }
+  return taken;
+}
+
+/// Keeps what has stuck to friction sides in this step there, when velocities are mapped again: a
+/// wall that holds them in one mapping and lets them go in the other would drive them along.
+/// Returns what friction takes, J, with the remapped velocities.
+template <int Dim, class Shape> Real stick_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+  using T = typename Shape::Number;
+  Nodes<Dim, T>& nodes = state.nodal.nodes;
+  Real taken = 0.0;
+  for (const auto& side : walls.friction()) {
+    const auto& rubs = state.nodal.rubs[side.axis][side.side];
+    Column work(rubs.size(), 0.0); // by pair
+    for_each_push(state, side, [&](std::size_t k, std::size_t node, const Vec<Dim>& v, Real part) {
+      const Vec<Dim> left = rubs[k].stuck ? Vec<Dim>{} : side.hold_back(v);
+      for (std::size_t i = 0; i < Dim; ++i) {
+        nodes.v[i][node] += static_cast<T>(part * (left[i] - v[i]));
+        work[k] -= nodes.m[node] * part * rubs[k].dv[i] * nodes.v[i][node];
       }
     });
     for (const Real of_pair : work) taken += of_pair;

@@ -117,19 +117,19 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     }
     if (scene_.body_force) body_force_pass(state_, scene_.body_force, time_);
     advance_momentum_pass(state_, walls_, loads_.common(), damping(), dt);
-    add_up_losses();
     done(Phase::nodes);
 
     if (scheme == Scheme::musl) {
       fastest_ = gather_pass<Dim, true>(state_, flip(), dt);
       done(Phase::gather);
-      remap_velocity_pass(state_, walls_);
+      remap_velocity_pass(state_, walls_, dt);
       done(Phase::remap);
     } else {
       fastest_ = gather_pass<Dim, false>(state_, flip(), dt);
       done(Phase::gather);
     }
     if (scheme != Scheme::usf) update_stress_of_all(dt);
+    add_up_losses();
     check_positions();
     check_volumes();
     done(Phase::stress);

@@ -73,7 +73,7 @@ template <int Dim, class Shape> struct Passes {
       gather_momentum_pass(state, walls);
       advance_momentum_pass(state, walls, gravity, 0.0, dt);
       gather_and_remap();
-      remap_velocity_pass(state, walls);
+      remap_velocity_pass(state, walls, dt);
       update_stress();
       for (std::size_t i = 0; i < Dim; ++i)
         for (std::size_t p = 0; p < state.particles.size(); ++p)

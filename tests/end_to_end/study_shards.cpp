@@ -60,7 +60,8 @@ TEST_F(StudyShards, RunOnSeveralHostsWithGnuParallel) {
   fs::permissions(*this / "ssh", fs::perms::owner_all);
   ::setenv("PARALLEL_HOME", (*this / "parallel").c_str(), 1);
   fs::create_directory(*this / "parallel");
-  const std::string trial = "parallel --will-cite --ssh " + (*this / "ssh").string() +
+  const std::string trial = "cd " + directory_.string() + " && parallel --will-cite --ssh " +
+                            (*this / "ssh").string() +
                             " --sshlogin node1 echo works ::: 1 2>/dev/null | grep -q works";
   if (std::system(trial.c_str()) != 0)
     GTEST_SKIP() << "GNU parallel runs nothing here, not even echo (a root without /dev)";

@@ -424,7 +424,7 @@ TYPED_TEST(Transfer, AffineTransfersKeepALinearField) {
   const auto v = points.v;
   this->scatter_all();
   gather_pass<Dim, true>(this->state, 0.0, this->dt);
-  remap_velocity_pass(this->state, this->walls);
+  remap_velocity_pass(this->state, this->walls, this->dt);
   for (const int at : active_nodes(this->state)) {
     if (this->node(at).m < 1e-6) continue; // of rounding's size
     for (std::size_t i = 0; i < Dim; ++i) {
@@ -561,7 +561,7 @@ TYPED_TEST(Transfer, RemapGivesTheNewMomenta) {
   constexpr int Dim = TypeParam::value;
   this->scatter_all();
   gather_pass<Dim, true>(this->state, 1.0, this->dt);
-  remap_velocity_pass(this->state, this->walls);
+  remap_velocity_pass(this->state, this->walls, this->dt);
   const auto& points = this->state.particles;
   for (const int at : active_nodes(this->state)) {
     double m = 0.0;
