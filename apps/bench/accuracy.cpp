@@ -49,6 +49,13 @@ void print(const CaseResult& result) {
   std::fflush(stdout);
 }
 
+void print(const WorkResult& result) {
+  fmt::print("{}\n", result.name());
+  for (const auto& [method, converged] : result.verdicts)
+    fmt::print("  {:34} {:28} {}\n", method, answers_of(result, method), converged.verdict);
+  std::fflush(stdout);
+}
+
 void print(const WorkRun& run) {
   fmt::print("  {:34} h = {:<9.4g} error {:<10.3e} {:8.2f} s {:10.3g} point-steps {}\n", run.method,
              run.cell_size, run.outcome.error, run.wall, run.point_steps(), run.failure);
@@ -110,7 +117,11 @@ bool run_accuracy(const AccuracyOptions& options) {
   for (const WorkScene& scene : work_scenes()) {
     if (!wanted(options, scene.name)) continue;
     fmt::print("{}\n", scene.name);
-    work.push_back(run_work(scene, effort, [](const WorkRun& run) { print(run); }));
+    const WorkResult result = run_work(scene, effort, [](const WorkRun& run) { print(run); });
+    if (!scene.error.empty()) work.push_back(result);
+    if (!scene.converged) continue;
+    work.push_back(converged_work(result));
+    print(work.back());
   }
   write_json(options, results, work, clock.seconds());
   write_page(options, results, work, clock.seconds());
