@@ -61,16 +61,17 @@ void add_case(apps::HtmlPage& page, const AccuracyOptions& options, const CaseRe
 
 void add_work(apps::HtmlPage& page, const AccuracyOptions& options, const WorkResult& result) {
   page.picture(draw(options, result.name(), work_figure(result), true), result.title());
-  if (!result.to_converged()) return;
+  const std::vector<render::Chart> answer = answer_figure(result);
+  if (answer.empty()) return;
+  const std::string& name = result.origin->converged->answer;
+  page.picture(draw(options, result.name() + "-answer", answer, false),
+               name + " over the cell size, and what it is extrapolated to (Richardson), with the "
+                      "grid convergence index of Roache 1994 as the bar");
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [method, converged] : result.verdicts) {
+  for (const auto& [method, converged] : result.verdicts)
     rows.push_back({method, answers_of(result, method), converged.verdict});
-  }
-  page.table("What the cells converge to, coarse to fine",
-             {"method", result.origin->converged->answer, "converged solution"}, rows);
-  if (const std::vector<render::Chart> answer = answer_figure(result); !answer.empty())
-    page.picture(draw(options, result.name() + "-answer", answer, false),
-                 result.origin->converged->answer + " over the cell size; rings: extrapolated");
+  page.table("Coarse to fine, and what that converges to", {"method", name, "converged solution"},
+             rows);
 }
 
 /// All of them in one picture, for README.md: scenes by their titles' first words.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace scarp::bench {
 
@@ -46,7 +48,12 @@ Converged to_extrapolated(const std::vector<double>& cell_size, const Answers& a
   std::vector<double> first;
   for (const std::vector<double>& one : answer) first.push_back(one.front());
   if (first.size() < 3) return no_value(first, "no value: fewer than three cell sizes");
-  const Extrapolation found = extrapolate(cell_size, first);
+  Extrapolation found;
+  try {
+    found = extrapolate(cell_size, first);
+  } catch (const std::invalid_argument&) { // a run between them failed
+    return no_value(first, "no value: cells do not shrink by one factor");
+  }
   if (found.course != Course::converges) return no_value(first, to_text(found));
   Converged converged = {{}, to_text(found), found.value, found.bar};
   for (const double one : first) {

@@ -1,5 +1,6 @@
-// Work-precision: the error of a scene with a known answer over what it costs, for many ways to
-// compute it.  One more scene is one line in work_scenes.cpp.
+// Work-precision: the error of a scene over what it costs, for many ways to compute it; the error
+// to a known answer, to the solution that the runs themselves converge to, or both.  One more scene
+// is one line in work_scenes.cpp.
 #pragma once
 
 #include "apps/bench/bar.hpp"

@@ -242,6 +242,14 @@ TEST(BenchConverged, WithoutAValueErrorsAreAtLeastWhatRunsDifferBy) {
   }
 }
 
+TEST(BenchConverged, ARunIsMissing) {
+  const Converged found = to_extrapolated({2.0, 0.5, 0.25}, {{1.0}, {1.5}, {1.75}});
+  EXPECT_FALSE(found.value);
+  EXPECT_NE(found.verdict.find("one factor"), std::string::npos);
+  EXPECT_TRUE(to_extrapolated({}, {}).errors.empty());
+  EXPECT_TRUE(to_finest({}, {}).errors.empty());
+}
+
 TEST(BenchConverged, TheFinestRunStandsForIt) {
   const Converged found = to_finest({2.0, 1.0}, {{1.0, 5.0}, {1.0, 1.0}});
   EXPECT_NEAR(found.errors[0].error, std::sqrt(8.0), 1e-12);
