@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace scarp::bench {
@@ -56,9 +57,14 @@ void print(const WorkResult& result) {
   std::fflush(stdout);
 }
 
+/// Its answer where the error is known only when all have run.
 void print(const WorkRun& run) {
-  fmt::print("  {:34} h = {:<9.4g} error {:<10.3e} {:8.2f} s {:10.3g} point-steps {}\n", run.method,
-             run.cell_size, run.outcome.error, run.wall, run.point_steps(), run.failure);
+  const WorkOutcome& outcome = run.outcome;
+  const std::string result = std::isnan(outcome.error)
+                                 ? fmt::format("answer {:<9.4g}", outcome.answer.front())
+                                 : fmt::format("error {:<10.3e}", outcome.error);
+  fmt::print("  {:34} h = {:<9.4g} {} {:8.2f} s {:10.3g} point-steps {}\n", run.method,
+             run.cell_size, result, run.wall, run.point_steps(), run.failure);
   std::fflush(stdout);
 }
 
