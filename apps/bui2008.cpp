@@ -1,6 +1,6 @@
 #include "apps/bui2008.hpp"
 
-#include "apps/commands.hpp"
+#include "apps/data_directory.hpp"
 #include "apps/run_scene.hpp"
 #include "io/json_record.hpp"
 #include "io/scene_file.hpp"

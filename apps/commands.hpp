@@ -32,11 +32,6 @@ CLI::Option* add_jobs(CLI::App& command, int& jobs, const std::string& what);
 /// As many as were asked for; 0: as many as there are processors for this program.
 std::size_t job_count(int jobs);
 
-/// The scenes and references that belong to the program: $SCARP_DATA, or `data` beside the build
-/// folder, or share/scarp beside the installed program.  Throws std::runtime_error with where it
-/// looked.
-std::filesystem::path data_directory();
-
 /// Makes a directory for results; throws UsageError if something else has that name.
 void make_directory(const std::filesystem::path& directory);
 

@@ -1,6 +1,7 @@
 #include "apps/wu2017.hpp"
 
 #include "apps/commands.hpp"
+#include "apps/data_directory.hpp"
 #include "apps/run_scene.hpp"
 #include "apps/study_results.hpp"
 #include "apps/study_runner.hpp"

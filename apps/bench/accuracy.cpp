@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace scarp::bench {
@@ -49,9 +50,21 @@ void print(const CaseResult& result) {
   std::fflush(stdout);
 }
 
+void print(const WorkResult& result) {
+  fmt::print("{}\n", result.name());
+  for (const auto& [method, converged] : result.verdicts)
+    fmt::print("  {:34} {:28} {}\n", method, answers_of(result, method), converged.verdict);
+  std::fflush(stdout);
+}
+
+/// Its answer where the error is known only when all have run.
 void print(const WorkRun& run) {
-  fmt::print("  {:34} h = {:<9.4g} error {:<10.3e} {:8.2f} s {:10.3g} point-steps {}\n", run.method,
-             run.cell_size, run.outcome.error, run.wall, run.point_steps(), run.failure);
+  const WorkOutcome& outcome = run.outcome;
+  const std::string result = std::isnan(outcome.error)
+                                 ? fmt::format("answer {:<9.4g}", outcome.answer.front())
+                                 : fmt::format("error {:<10.3e}", outcome.error);
+  fmt::print("  {:34} h = {:<9.4g} {} {:8.2f} s {:10.3g} point-steps {}\n", run.method,
+             run.cell_size, result, run.wall, run.point_steps(), run.failure);
   std::fflush(stdout);
 }
 
@@ -110,7 +123,11 @@ bool run_accuracy(const AccuracyOptions& options) {
   for (const WorkScene& scene : work_scenes()) {
     if (!wanted(options, scene.name)) continue;
     fmt::print("{}\n", scene.name);
-    work.push_back(run_work(scene, effort, [](const WorkRun& run) { print(run); }));
+    const WorkResult result = run_work(scene, effort, [](const WorkRun& run) { print(run); });
+    if (!scene.error.empty()) work.push_back(result);
+    if (!scene.converged) continue;
+    work.push_back(converged_work(result));
+    print(work.back());
   }
   write_json(options, results, work, clock.seconds());
   write_page(options, results, work, clock.seconds());

@@ -59,6 +59,39 @@ void add_case(apps::HtmlPage& page, const AccuracyOptions& options, const CaseRe
                  result.report.caption);
 }
 
+void add_work(apps::HtmlPage& page, const AccuracyOptions& options, const WorkResult& result) {
+  page.picture(draw(options, result.name(), work_figure(result), true), result.title());
+  const std::vector<render::Chart> answer = answer_figure(result);
+  if (answer.empty()) return;
+  const std::string& name = result.origin->converged->answer;
+  page.picture(draw(options, result.name() + "-answer", answer, false),
+               name + " over the cell size, and what it is extrapolated to (Richardson), with the "
+                      "grid convergence index of Roache 1994 as the bar");
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [method, converged] : result.verdicts)
+    rows.push_back({method, answers_of(result, method), converged.verdict});
+  page.table("Coarse to fine, and what that converges to", {"method", name, "converged solution"},
+             rows);
+}
+
+/// All of them in one picture, for README.md: scenes by their titles' first words.
+void draw_overview(const AccuracyOptions& options, const std::vector<WorkResult>& work) {
+  std::vector<render::Chart> panels;
+  for (const WorkResult& result : work)
+    for (render::Chart& chart : work_figure(result)) {
+      chart.style.title = result.title().substr(0, result.title().find(':'));
+      panels.push_back(std::move(chart));
+    }
+  constexpr int wide = 2800;    // px, of which words take as much as in a picture of half the width
+  constexpr double font = 26.0; // px
+  render::write_png(options.out / "work_precision.png",
+                    render::render_chart_panels(panels, {.columns = 4,
+                                                         .letters = false,
+                                                         .shared_legend = true,
+                                                         .width = wide,
+                                                         .font_size = font}));
+}
+
 } // namespace
 
 void write_page(const AccuracyOptions& options, const std::vector<CaseResult>& cases,
@@ -74,11 +107,12 @@ void write_page(const AccuracyOptions& options, const std::vector<CaseResult>& c
   if (!work.empty()) {
     page.heading("Work and precision");
     page.paragraph("A line is a way to compute, its points are cell sizes. Ringed: no run that was "
-                   "tried has less error for less work (the Pareto front).");
+                   "tried has less error for less work (the Pareto front). Vertical lines, "
+                   "over wall time: where an error to the converged solution lies; the marker is "
+                   "the least it can be where the line goes up to the end.");
+    draw_overview(options, work);
   }
-  for (const WorkResult& result : work)
-    page.picture(draw(options, result.origin->name, work_figure(result), true),
-                 result.origin->title);
+  for (const WorkResult& result : work) add_work(page, options, result);
   io::write_atomically(options.out / "index.html", page.text());
 }
 

@@ -1,5 +1,6 @@
 #include "apps/bench/prepared.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace scarp::bench {
@@ -29,6 +30,21 @@ Material grains() {
   law.cone = Cone::plane_strain;
   law.opening = Opening::remembered;
   return {"grains", 2650.0, 1e6, 0.3, law};
+}
+
+void discretise(Scene& scene, double cell_size, const Discretisation& how) {
+  Grid& grid = scene.grid;
+  grid.cell_size = cell_size;
+  grid.points_per_cell = how.points_per_cell;
+  for (const std::size_t axis : {0U, 2U})
+    grid.upper[axis] =
+        grid.lower[axis] +
+        cell_size * std::ceil((grid.upper[axis] - grid.lower[axis]) / cell_size - 1e-9);
+  scene.timing.cfl = how.cfl;
+  scene.method.shape = how.method.shape;
+  scene.method.transfer = how.method.transfer;
+  scene.method.volume_rate = how.method.volume_rate;
+  scene.method.precision = how.method.precision;
 }
 
 Snapshot at_rest(const Simulation& simulation) {

@@ -1,6 +1,8 @@
 // Scenes made by hand, and runs that begin from a state made by hand.
 #pragma once
 
+#include "apps/bench/bar.hpp"
+
 #include "core/simulation.hpp"
 
 #include <array>
@@ -18,6 +20,10 @@ Grid plane_grid(double cell_size, std::array<double, 2> lower, std::array<double
 
 /// "grains": cohesionless, friction angle of 30 degrees, plane-strain cone, gaps remembered.
 Material grains();
+
+/// Gives a scene from a file another way to compute, of which scheme, FLIP and settling stay the
+/// file's.  The grid's upper corner goes out to whole cells.
+void discretise(Scene& scene, double cell_size, const Discretisation& how);
 
 /// The points of a simulation that has not begun, free of stress.
 Snapshot at_rest(const Simulation& simulation);

@@ -1,140 +1,28 @@
 #include "apps/bench/work.hpp"
 
-#include "apps/bench/charts.hpp"
-
 #include "core/error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
-#include <map>
+#include <utility>
 
 namespace scarp::bench {
 
 namespace {
 
-struct NamedMethod {
-  std::string name;
-  Discretisation how;
-};
-
-/// Shape functions, transfer and rate of volume with their usual points and CFL, then one change of
-/// these at a time for two of them.  Affine transfers are not defined with linear functions and
-/// FLIP; APIC takes USL, as README.md does.
-std::vector<NamedMethod> methods(Effort effort) {
-  using enum ShapeFunctions;
-  using enum VelocityTransfer;
-  const auto method = [](ShapeFunctions shape, VelocityTransfer transfer = flip,
-                         VolumeRate rate = VolumeRate::point) {
-    Discretisation how;
-    how.method.shape = shape;
-    how.method.transfer = transfer;
-    how.method.volume_rate = rate;
-    if (transfer == apic) how.method.scheme = Scheme::usl;
-    return how;
-  };
-  std::vector<NamedMethod> all = {
-      {"linear", method(linear)},
-      {"linear, cell averages", method(linear, flip, VolumeRate::cell_average)},
-      {"GIMP", method(gimp)},
-      {"B-spline", method(bspline)},
-      {"B-spline, cell averages", method(bspline, flip, VolumeRate::cell_average)},
-      {"B-spline, APIC", method(bspline, apic)}};
-  all.push_back({"linear, single precision", method(linear)});
-  all.back().how.method.precision = Precision::single;
-  if (effort == Effort::quick) return all;
-  all.push_back({"B-spline, single precision", method(bspline)});
-  all.back().how.method.precision = Precision::single;
-  all.push_back({"B-spline, APIC, single precision", method(bspline, apic)});
-  all.back().how.method.precision = Precision::single;
-  all.push_back({"GIMP, APIC", method(gimp, apic)});
-  all.push_back({"B-spline, AFLIP", method(bspline, aflip)});
-  for (const int points : {3, 4}) {
-    all.push_back({fmt::format("linear, {}² points", points), method(linear)});
-    all.back().how.points_per_cell = points;
-    all.push_back({fmt::format("B-spline, {}² points", points), method(bspline)});
-    all.back().how.points_per_cell = points;
-  }
-  for (const double cfl : {0.1, 0.6}) {
-    all.push_back({fmt::format("B-spline, CFL {}", cfl), method(bspline)});
-    all.back().how.cfl = cfl;
-  }
-  return all;
-}
-
-WorkRun run_one(const WorkScene& scene, int cells, const NamedMethod& method) {
-  WorkRun run = {scene.name, method.name, method.how, scene.cell_size(cells), {}, {}, 0.0};
+WorkRun run_one(const WorkScene& scene, int cells, const WorkPlan& plan) {
+  WorkRun run = {scene.name, plan.method, plan.how, scene.cell_size(cells), {}, {}, 0.0};
   const auto start = std::chrono::steady_clock::now();
   try {
-    run.outcome = scene.run(cells, method.how);
+    run.outcome = scene.run(cells, plan.how);
   } catch (const RunError& error) {
     run.failure = error.what();
   }
   run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;
-}
-
-using Work = double (*)(const WorkRun&);
-
-/// Those that no other beats in both work and error.
-render::Curve pareto_front(const std::vector<WorkRun>& runs, Work work) {
-  std::vector<std::array<double, 2>> best;
-  for (const WorkRun& run : runs) {
-    const bool beaten = std::ranges::any_of(runs, [&](const WorkRun& other) {
-      const double error = other.outcome.error, own = run.outcome.error;
-      const bool no_worse = error <= own && work(other) <= work(run);
-      return other.failure.empty() && no_worse && (error < own || work(other) < work(run));
-    });
-    if (run.failure.empty() && !beaten) best.push_back({work(run), run.outcome.error});
-  }
-  std::ranges::sort(best);
-  render::Curve curve = {.label = "Pareto front",
-                         .x = {},
-                         .y = {},
-                         .colour = render::ink,
-                         .line = render::LineKind::dotted,
-                         .marker = render::Marker::open_circle,
-                         .weight = 1.8};
-  for (const auto& [x, y] : best) {
-    curve.x.push_back(x);
-    curve.y.push_back(y);
-  }
-  return curve;
-}
-
-render::Chart work_chart(const WorkResult& result, Work work, const std::string& name,
-                         const std::string& unit) {
-  using enum render::Marker;
-  constexpr std::array markers = {circle, square, diamond};
-  constexpr std::array lines = {render::LineKind::solid, render::LineKind::dashed,
-                                render::LineKind::dotted};
-  constexpr std::array colours = {render::palette::blue,   render::palette::vermilion,
-                                  render::palette::green,  render::palette::purple,
-                                  render::palette::orange, render::palette::sky};
-  std::vector<std::string> order;
-  std::map<std::string, render::Curve> curves;
-  for (const WorkRun& run : result.runs) {
-    if (!run.failure.empty()) continue;
-    const bool first = !curves.contains(run.method);
-    render::Curve& curve = curves[run.method];
-    if (first) {
-      const std::size_t k = order.size();
-      curve.label = run.method;
-      curve.colour = colours[k % colours.size()];
-      curve.line = lines[k / colours.size() % lines.size()];
-      curve.marker = markers[k / colours.size() % markers.size()];
-      curve.weight = 0.9;
-      order.push_back(run.method);
-    }
-    curve.x.push_back(work(run));
-    curve.y.push_back(run.outcome.error);
-  }
-  render::Chart chart;
-  chart.style = {.x_name = name, .x_unit = unit, .y_name = result.origin->error};
-  for (const std::string& method : order) chart.curves.push_back(curves[method]);
-  chart.curves.push_back(pareto_front(result.runs, work));
-  return log_log(std::move(chart));
 }
 
 } // namespace
@@ -143,19 +31,62 @@ WorkResult run_work(const WorkScene& scene, Effort effort,
                     const std::function<void(const WorkRun&)>& done) {
   WorkResult result;
   result.origin = &scene;
-  for (const NamedMethod& method : methods(effort))
-    for (const int cells : scene.levels(effort)) {
-      result.runs.push_back(run_one(scene, cells, method));
+  for (const WorkPlan& plan : scene.plan(effort))
+    for (const int cells : plan.levels) {
+      result.runs.push_back(run_one(scene, cells, plan));
       done(result.runs.back());
     }
   return result;
 }
 
-std::vector<render::Chart> work_figure(const WorkResult& result) {
-  return {work_chart(
-              result, [](const WorkRun& run) { return run.wall; }, "wall time", "s"),
-          work_chart(
-              result, [](const WorkRun& run) { return run.point_steps(); }, "points × steps", "")};
+WorkResult converged_work(const WorkResult& result) {
+  const ConvergedScene& scene = *result.origin->converged;
+  WorkResult converged = {result.origin, {}, {}};
+  // The runs of a method follow each other.
+  for (auto first = result.runs.begin(); first != result.runs.end();) {
+    const auto last = std::find_if(first, result.runs.end(),
+                                   [&](const WorkRun& run) { return run.method != first->method; });
+    std::vector<double> cell_size;
+    Answers answers;
+    for (auto run = first; run != last; ++run)
+      if (run->failure.empty()) {
+        cell_size.push_back(run->cell_size);
+        answers.push_back(run->outcome.answer);
+      }
+    converged.verdicts.push_back({first->method, scene.judge(cell_size, answers)});
+    auto error = converged.verdicts.back().converged.errors.begin();
+    for (; first != last; ++first) {
+      WorkRun run = *first;
+      run.scene = scene.name;
+      if (run.failure.empty()) {
+        run.converged = *error++;
+        run.outcome.error = run.converged->error;
+      }
+      converged.runs.push_back(std::move(run));
+    }
+  }
+  return converged;
+}
+
+std::string answers_of(const WorkResult& result, const std::string& method) {
+  std::vector<double> answers;
+  if (!result.origin->converged->answer.empty())
+    for (const WorkRun& run : result.runs)
+      if (run.method == method && run.failure.empty())
+        answers.push_back(run.outcome.answer.front());
+  return fmt::format("{:.4g}", fmt::join(answers, ", "));
+}
+
+const std::string& WorkResult::name() const {
+  return to_converged() ? origin->converged->name : origin->name;
+}
+
+const std::string& WorkResult::title() const {
+  return to_converged() ? origin->converged->title : origin->title;
+}
+
+const std::string& WorkResult::error() const {
+  return to_converged() ? origin->converged->error : origin->error;
 }
 
 nlohmann::ordered_json to_json(const WorkRun& run) {
@@ -165,6 +96,8 @@ nlohmann::ordered_json to_json(const WorkRun& run) {
       {"cfl", run.how.cfl},           {"error", run.outcome.error},
       {"wall_s", run.wall},           {"point_steps", run.point_steps()},
       {"points", run.outcome.points}, {"steps", run.outcome.steps}};
+  if (!run.outcome.answer.empty()) record["answer"] = run.outcome.answer;
+  if (run.converged) record["error_between"] = {run.converged->lower, run.converged->upper};
   if (!run.failure.empty()) {
     record["error"] = nullptr;
     record["failure"] = run.failure;

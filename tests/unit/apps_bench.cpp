@@ -1,15 +1,21 @@
 // Verification cases: the derivations behind them, and what they make of a result.
 #include "apps/bench/accuracy.hpp"
 #include "apps/bench/charts.hpp"
+#include "apps/bench/extrapolation.hpp"
 #include "apps/bench/footing.hpp"
+#include "apps/bench/pile.hpp"
+#include "apps/bench/slope.hpp"
 #include "apps/bench/vortex.hpp"
 
 #include "core/stress_pass.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
+#include <stdexcept>
 
 using namespace scarp;
 using namespace scarp::bench;
@@ -19,6 +25,26 @@ namespace {
 Check check(double value, double reference, double bound, Bound kind) {
   return {"name", value, reference, bound, kind, "-", "source"};
 }
+
+/// 5 + 3 h^order on cells that halve.
+std::vector<double> falling(const std::vector<double>& cell_size, double order) {
+  std::vector<double> answer;
+  answer.reserve(cell_size.size());
+  for (const double h : cell_size) answer.push_back(5.0 + 3.0 * std::pow(h, order));
+  return answer;
+}
+
+/// Scenes and references are read where the sources are.
+class BenchScenes : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { setenv("SCARP_DATA", SCARP_SOURCE_DIR "/data", 1); }
+
+  static Discretisation accurate() {
+    Discretisation how;
+    how.method = method_of(Preset::accurate);
+    return how;
+  }
+};
 
 } // namespace
 
@@ -157,4 +183,112 @@ TEST(BenchWork, MethodsHaveErrorsAndCosts) {
   for (const char* key : {"scene", "method", "cell_size", "points_per_cell", "cfl", "error",
                           "wall_s", "point_steps", "points", "steps"})
     EXPECT_TRUE(record.contains(key)) << key;
+}
+
+TEST(BenchExtrapolation, FindsLimitAndOrder) {
+  const std::vector<double> h = {8.0, 2.0, 1.0, 0.5};
+  for (const double order : {0.5, 1.0, 2.0}) {
+    const std::vector<double> answer = falling(h, order);
+    const Extrapolation found = extrapolate(h, answer);
+    EXPECT_EQ(found.course, Course::converges);
+    EXPECT_NEAR(found.value, 5.0, 1e-12);
+    EXPECT_NEAR(found.order, order, 1e-12);
+    EXPECT_NEAR(found.bar, 1.25 * (answer.back() - 5.0), 1e-12);
+  }
+}
+
+TEST(BenchExtrapolation, HasNoValueWithoutConvergence) {
+  const std::vector<double> h = {2.0, 1.0, 0.5};
+  for (const auto& [answer, course] :
+       std::vector<std::pair<std::vector<double>, Course>>{{{1.0, 2.0, 4.0}, Course::diverges},
+                                                           {{1.0, 2.0, 3.0}, Course::diverges},
+                                                           {{1.0, 1.0, 1.0}, Course::diverges},
+                                                           {{1.0, 2.0, 1.5}, Course::oscillates}}) {
+    const Extrapolation found = extrapolate(h, answer);
+    EXPECT_EQ(found.course, course);
+    EXPECT_TRUE(std::isnan(found.value) && std::isnan(found.order) && std::isnan(found.bar));
+    EXPECT_NE(to_text(found).find("no value"), std::string::npos);
+  }
+  EXPECT_THROW(extrapolate({2.0, 1.0}, {1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(extrapolate({2.0, 1.0, 0.4}, {1.0, 2.0, 2.5}), std::invalid_argument);
+  EXPECT_THROW(extrapolate({0.5, 1.0, 2.0}, {1.0, 2.0, 2.5}), std::invalid_argument);
+}
+
+/// 5 + 3 h^2, in the second number something else.
+TEST(BenchConverged, ErrorsToTheExtrapolatedValueHaveBars) {
+  const Converged found =
+      to_extrapolated({1.0, 0.5, 0.25}, {{8.0, 1.0}, {5.75, 7.0}, {5.1875, 0.0}});
+  ASSERT_TRUE(found.value);
+  EXPECT_NEAR(*found.value, 5.0, 1e-12);
+  ASSERT_EQ(found.errors.size(), 3U);
+  EXPECT_NEAR(found.errors[0].error, 3.0 / 5.0, 1e-12);
+  const double bar = 1.25 * 0.1875 / 5.0;
+  EXPECT_NEAR(found.errors[0].lower, 3.0 / 5.0 - bar, 1e-12);
+  EXPECT_NEAR(found.errors[0].upper, 3.0 / 5.0 + bar, 1e-12);
+  EXPECT_EQ(found.errors[2].lower, 0.0) << "the bar is wider than the error";
+}
+
+TEST(BenchConverged, WithoutAValueErrorsAreAtLeastWhatRunsDifferBy) {
+  for (const Answers& answers : {Answers{{1.0}, {2.0}, {4.0}}, Answers{{2.0}, {4.0}}}) {
+    std::vector<double> h = {2.0, 1.0, 0.5};
+    h.resize(answers.size());
+    const Converged found = to_extrapolated(h, answers);
+    EXPECT_FALSE(found.value);
+    EXPECT_NE(found.verdict.find("no value"), std::string::npos);
+    const ConvergedError last_but_one = found.errors.at(found.errors.size() - 2);
+    EXPECT_NEAR(last_but_one.error, 0.5, 1e-12);
+    EXPECT_TRUE(std::isinf(last_but_one.upper));
+    EXPECT_TRUE(std::isnan(found.errors.back().error));
+  }
+}
+
+TEST(BenchConverged, ARunIsMissing) {
+  const Converged found = to_extrapolated({2.0, 0.5, 0.25}, {{1.0}, {1.5}, {1.75}});
+  EXPECT_FALSE(found.value);
+  EXPECT_NE(found.verdict.find("one factor"), std::string::npos);
+  EXPECT_TRUE(to_extrapolated({}, {}).errors.empty());
+  EXPECT_TRUE(to_finest({}, {}).errors.empty());
+}
+
+TEST(BenchConverged, TheFinestRunStandsForIt) {
+  const Converged found = to_finest({2.0, 1.0}, {{1.0, 5.0}, {1.0, 1.0}});
+  EXPECT_NEAR(found.errors[0].error, std::sqrt(8.0), 1e-12);
+  EXPECT_TRUE(std::isnan(found.errors[1].error));
+}
+
+TEST_F(BenchScenes, PileComesDown) {
+  const PileRun run = collapse_pile(10, accurate());
+  EXPECT_EQ(run.points, 800U);
+  EXPECT_EQ(run.surface.size(), 23U);
+  EXPECT_LT(run.error, 0.1 * pile_height);
+  EXPECT_LT(run.surface.front(), 1.05 * pile_height);
+  EXPECT_LT(run.surface.back(), 0.2 * pile_height);
+}
+
+TEST_F(BenchScenes, SlopeSlides) {
+  const SlopeRun run = slide_slope(60, accurate());
+  EXPECT_EQ(run.points, 2750U);
+  EXPECT_GT(run.peak_energy, 1e6); // 2.28 MJ measured, 3.6 MJ in the paper with 1 m cells
+  EXPECT_LT(run.peak_energy, 5e6);
+  EXPECT_GT(run.run_out, 5.0);
+  EXPECT_LT(run.run_out, 20.0);
+}
+
+TEST_F(BenchScenes, ErrorsToTheConvergedSolutionKeepTheRuns) {
+  const auto pile = std::ranges::find(work_scenes(), "work-pile", &WorkScene::name);
+  WorkResult made;
+  made.origin = &*pile;
+  for (const double h : {0.01, 0.005}) {
+    made.runs.push_back({"work-pile", "linear", {}, h, {0.1, 1, 1, {h, 2.0 * h}}, {}, 1.0});
+    made.runs.push_back({"work-pile", "linear", {}, h, {}, "stopped", 1.0});
+  }
+  made.runs.push_back({"work-pile", "B-spline", {}, 0.01, {}, "stopped", 1.0});
+  const WorkResult converged = converged_work(made);
+  ASSERT_EQ(converged.runs.size(), made.runs.size());
+  EXPECT_EQ(converged.verdicts.size(), 2U);
+  EXPECT_NEAR(converged.runs[0].outcome.error, 0.005 * std::sqrt(2.5), 1e-12);
+  EXPECT_EQ(converged.runs[0].scene, "work-pile-converged");
+  EXPECT_FALSE(converged.runs[1].converged);
+  EXPECT_TRUE(to_json(converged.runs[0]).contains("error_between"));
+  EXPECT_EQ(work_figure(converged).size(), 2U);
 }
