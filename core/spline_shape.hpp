@@ -89,7 +89,7 @@ template <int Dim, class Number_ = Real> struct SplineShape : Stencil<Dim, 3, Nu
     }();
     /// Kept from GCC, which takes constants that it knows apart: with AVX-512 in 3-D at a third of
     /// the speed.
-    [[gnu::noipa]] static const Tables& unfolded_tables() { return tables; }
+    [[gnu::noinline]] static const Tables& unfolded_tables() { return tables; }
 
     const Tables* tables_;
   };
