@@ -5,60 +5,88 @@
 
 namespace scarp {
 
-template <int Dim, int corners>
+namespace {
+
+constexpr int lanes = static_cast<int>(tile_cells);
+
+} // namespace
+
+template <int Dim, int width>
 template <class T>
-void CellOrder<Dim, corners>::update(Particles<Dim, T>& particles) {
-  const std::size_t points = particles.size();
-  const bool first = cell_of_.size() != points;
-  if (first) cell_of_.assign(points, -1);
-
-  std::vector<Move> moves = find_moves(particles.x);
-  if (moves.empty()) return;
-
-  const auto part = static_cast<std::size_t>(reorder_part * static_cast<double>(points));
-  previous_.swap(occupied_);
-  if (first || moves.size() > part) {
-    count_points();
-  } else {
-    std::ranges::sort(moves);
-    follow(moves);
-  }
-  moved_ += moves.size();
-  if (first || moved_ > part) reorder(particles);
-  if (occupied_ != previous_) {
-    find_places();
-    find_parts();
-    find_node_runs();
-    find_side_pairs();
-  }
+void CellOrder<Dim, width>::update(Particles<Dim, T>& particles) {
+  if (tiles_.empty()) return rebuild(particles);
+  const std::vector<Move> moves = find_moves(particles);
+  const std::size_t before = tiles_.size();
+  for (const Move& move : moves) carry_out(move, particles);
+  // A quarter of all rows, and some for scenes that are small.
+  if (particles.rows() > (ranks_ + ranks_ / 4 + 16) * tile_cells) return rebuild(particles);
+  if (tiles_.size() == before) return;
+  find_node_runs();
+  find_side_pairs();
 }
 
-/// Brings `cell_of_` up to date.  The order of the moves depends on the threads.
-template <int Dim, int corners>
-auto CellOrder<Dim, corners>::find_moves(const std::array<Column, Dim>& x) -> std::vector<Move> {
-  constexpr std::int64_t block = 256; // tested at once: nearly all points stay
+template <int Dim, int width>
+auto CellOrder<Dim, width>::cell(std::size_t tile, std::size_t lane) const -> Cell {
+  const Tile& in = tiles_[tile];
+  Cell cell = {in.along, in.first_node + static_cast<int>(lane), entry(tile) + lane, in.row + lane,
+               in.count[lane]};
+  cell.along[0] += static_cast<int>(lane);
+  return cell;
+}
+
+template <int Dim, int width> auto CellOrder<Dim, width>::cells() const -> std::vector<Cell> {
+  std::vector<Cell> occupied;
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    for (std::size_t lane = 0; lane < tile_cells; ++lane)
+      if (tiles_[tile].count[lane] > 0) occupied.push_back(cell(tile, lane));
+  return occupied;
+}
+
+template <int Dim, int width> auto CellOrder<Dim, width>::empty_tile(int index) const -> Tile {
+  Tile tile = {};
+  tile.index = index;
+  int rest = index / tiles_along_x(); // of rows of cells
+  tile.along[0] = index % tiles_along_x() * lanes;
+  for (std::size_t i = 1; i < Dim; rest /= grid_->cells[i], ++i)
+    tile.along[i] = rest % grid_->cells[i];
+  tile.first_node = grid_->first_node(tile.along);
+  return tile;
+}
+
+/// Tile by tile, from the last rank of each on: so that a move changes no later one's rank.
+template <int Dim, int width>
+template <class T>
+auto CellOrder<Dim, width>::find_moves(const Particles<Dim, T>& particles) const
+    -> std::vector<Move> {
   std::vector<std::vector<Move>> of_thread(static_cast<std::size_t>(omp_get_max_threads()));
-  const auto n = static_cast<std::int64_t>(x[0].size());
+  const auto n = static_cast<std::int64_t>(tiles_.size());
 #pragma omp parallel
   {
     std::vector<Move>& own = of_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    std::array<int, block> cell;
-#pragma omp for schedule(static) nowait
-    for (std::int64_t start = 0; start < n; start += block) {
-      const auto first = static_cast<std::size_t>(start);
-      const auto size = static_cast<std::size_t>(std::min(block, n - start));
-      int changed = 0;
-      for (std::size_t k = 0; k < size; ++k) {
-        Vec<Dim> place;
-        for (std::size_t i = 0; i < Dim; ++i) place[i] = x[i][first + k];
-        cell[k] = grid_->cell_of(place);
-        changed |= cell[k] ^ cell_of_[first + k];
-      }
-      if (changed == 0) continue;
-      for (std::size_t k = 0; k < size; ++k) {
-        if (cell[k] == cell_of_[first + k]) continue;
-        own.push_back({cell[k], static_cast<std::uint32_t>(first + k), cell_of_[first + k]});
-        cell_of_[first + k] = cell[k];
+    const auto lane_number = lane_numbers<Real>();
+#pragma omp for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k) {
+      const auto slot = static_cast<std::uint32_t>(k);
+      const Tile& tile = tiles_[slot];
+      const Pack<Real> count([&](auto lane) { return static_cast<Real>(tile.count[lane]); });
+      for (std::uint32_t rank = tile.ranks; rank-- > 0;) {
+        const std::size_t row = tile.row + rank * tile_cells;
+        auto left = count < 0.0;
+        for (std::size_t i = 0; i < Dim; ++i) {
+          Pack<Real> xi =
+              grid_->scaled(load_lanes(&particles.x[i][row]), i) - static_cast<Real>(tile.along[i]);
+          if (i == 0) xi -= lane_number;
+          left = left || xi < 0.0 || xi >= 1.0;
+        }
+        left = left && count > static_cast<Real>(rank);
+        if (none_of(left)) continue;
+        for (std::uint32_t lane = 0; lane < tile_cells; ++lane) {
+          if (!left[lane]) continue;
+          const auto to = grid_->along(grid_->cell_of(particles.position(row + lane)));
+          const int cell_row = grid_->row_of(to);
+          own.push_back({slot, rank, lane, cell_row * tiles_along_x() + to[0] / lanes,
+                         static_cast<std::uint32_t>(to[0] % lanes)});
+        }
       }
     }
   }
@@ -67,183 +95,142 @@ auto CellOrder<Dim, corners>::find_moves(const std::array<Column, Dim>& x) -> st
   return moves;
 }
 
-/// Counting sort by cell, stable in the rows.
-template <int Dim, int corners> void CellOrder<Dim, corners>::count_points() {
-  std::fill(count_.begin(), count_.end(), 0U);
-  for (const int cell : cell_of_) ++count_[static_cast<std::size_t>(cell)];
-
-  occupied_.clear();
-  begin_.clear();
-  std::uint32_t start = 0;
-  for (std::size_t cell = 0; cell + 1 < count_.size(); ++cell) {
-    const std::uint32_t here = count_[cell];
-    if (here == 0) continue;
-    occupied_.push_back(static_cast<int>(cell));
-    begin_.push_back(start);
-    count_[cell] = start;
-    start += here;
-  }
-  begin_.push_back(start);
-
-  rows_.resize(cell_of_.size());
-  for (std::size_t p = 0; p < cell_of_.size(); ++p)
-    rows_[count_[static_cast<std::size_t>(cell_of_[p])]++] = static_cast<std::uint32_t>(p);
-}
-
-/// What count_points() would give, from the order before and the few moves since then, which are
-/// sorted: cells between those that lost or gained points keep their rows and are copied at once.
-template <int Dim, int corners>
-void CellOrder<Dim, corners>::follow(const std::vector<Move>& moves) {
-  std::vector<int> touched;
-  for (const Move& move : moves) {
-    touched.push_back(move.from);
-    touched.push_back(move.to);
-  }
-  std::ranges::sort(touched);
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-
-  previous_begin_.swap(begin_);
-  previous_rows_.swap(rows_);
-  occupied_.clear();
-  begin_.clear();
-  rows_.clear();
-  std::size_t slot = 0; // in the order before, from which everything below is taken over
-  const auto copy_cells = [&](std::size_t end) {
-    const auto shift = static_cast<std::uint32_t>(rows_.size()) - previous_begin_[slot];
-    for (std::size_t s = slot; s < end; ++s) begin_.push_back(previous_begin_[s] + shift);
-    occupied_.insert(occupied_.end(), previous_.begin() + static_cast<std::ptrdiff_t>(slot),
-                     previous_.begin() + static_cast<std::ptrdiff_t>(end));
-    rows_.insert(rows_.end(), previous_rows_.begin() + previous_begin_[slot],
-                 previous_rows_.begin() + previous_begin_[end]);
-    slot = end;
-  };
-
-  auto arrived = moves.begin();
-  for (const int cell : touched) {
-    const auto at = std::lower_bound(previous_.begin() + static_cast<std::ptrdiff_t>(slot),
-                                     previous_.end(), cell);
-    copy_cells(static_cast<std::size_t>(at - previous_.begin()));
-    const auto start = static_cast<std::uint32_t>(rows_.size());
-    if (at != previous_.end() && *at == cell) {
-      for (std::uint32_t k = previous_begin_[slot]; k < previous_begin_[slot + 1]; ++k)
-        if (cell_of_[previous_rows_[k]] == cell) rows_.push_back(previous_rows_[k]);
-      ++slot;
-    }
-    const auto stayed = static_cast<std::ptrdiff_t>(rows_.size());
-    for (; arrived != moves.end() && arrived->to == cell; ++arrived) rows_.push_back(arrived->row);
-    std::inplace_merge(rows_.begin() + start, rows_.begin() + stayed, rows_.end());
-    if (rows_.size() == start) continue;
-    occupied_.push_back(cell);
-    begin_.push_back(start);
-  }
-  copy_cells(previous_.size());
-  begin_.push_back(static_cast<std::uint32_t>(rows_.size()));
-}
-
-template <int Dim, int corners>
+template <int Dim, int width>
 template <class T>
-void CellOrder<Dim, corners>::reorder(Particles<Dim, T>& particles) {
-  // Most rows follow each other: pieces of them are copied at once.
-  struct Piece {
-    std::uint32_t from, to, count;
-  };
-  std::vector<Piece> pieces;
-  constexpr std::uint32_t most = 4096; // for the threads
-  for (std::uint32_t k = 0; k < rows_.size(); ++k) {
-    if (k == 0 || rows_[k] != rows_[k - 1] + 1 || pieces.back().count == most)
-      pieces.push_back({rows_[k], k, 0});
-    ++pieces.back().count;
+void CellOrder<Dim, width>::carry_out(const Move& move, Particles<Dim, T>& particles) {
+  std::uint32_t& slot = slot_of_[static_cast<std::size_t>(move.to_tile)];
+  if (slot == none) {
+    slot = static_cast<std::uint32_t>(tiles_.size());
+    tiles_.push_back(empty_tile(move.to_tile));
   }
-  const auto permute = [&](auto& column) {
-    auto& sorted = std::get<std::remove_cvref_t<decltype(column)>>(spare_);
-    sorted.resize(column.size());
-    const auto n = static_cast<std::int64_t>(pieces.size());
+  const auto row = [](const Tile& tile, std::uint32_t rank, std::uint32_t lane) {
+    return tile.row + rank * tile_cells + lane;
+  };
+
+  Tile& to = tiles_[slot];
+  const std::uint32_t place = to.count[move.to_lane];
+  if (place == to.capacity) grow(to, particles);
+  Tile& from = tiles_[move.slot];
+  particles.move_rows(row(from, move.rank, move.lane), row(to, place, move.to_lane), 1);
+  ++to.count[move.to_lane];
+  const std::uint32_t last = --from.count[move.lane];
+  if (move.rank != last)
+    particles.move_rows(row(from, last, move.lane), row(from, move.rank, move.lane), 1);
+
+  for (Tile* tile : {&to, &from}) {
+    ranks_ -= tile->ranks;
+    tile->ranks = *std::ranges::max_element(tile->count);
+    ranks_ += tile->ranks;
+  }
+}
+
+/// By one rank.
+template <int Dim, int width>
+template <class T>
+void CellOrder<Dim, width>::grow(Tile& tile, Particles<Dim, T>& particles) {
+  const std::uint32_t capacity = tile.capacity + 1;
+  if (free_.size() <= capacity) free_.resize(capacity + 1);
+  auto row = static_cast<std::uint32_t>(particles.rows());
+  if (free_[capacity].empty()) {
+    particles.resize(row + capacity * tile_cells);
+  } else {
+    row = free_[capacity].back();
+    free_[capacity].pop_back();
+  }
+  if (tile.capacity > 0) {
+    particles.move_rows(tile.row, row, tile.capacity * tile_cells);
+    free_[tile.capacity].push_back(tile.row);
+  }
+  tile.row = row;
+  tile.capacity = capacity;
+}
+
+/// Tiles in the order of the grid, their rows too, with as many ranks as they need.
+template <int Dim, int width>
+template <class T>
+void CellOrder<Dim, width>::rebuild(Particles<Dim, T>& particles) {
+  const std::size_t rows = particles.rows();
+  std::vector<std::uint32_t> row(rows, none); // first: the place among all lanes of the grid
+  const auto n = static_cast<std::int64_t>(rows);
 #pragma omp parallel for schedule(static)
-    for (std::int64_t k = 0; k < n; ++k) {
-      const auto [from, to, count] = pieces[static_cast<std::size_t>(k)];
-      for (std::uint32_t i = 0; i < count; ++i) sorted[to + i] = column[from + i];
-    }
-    column.swap(sorted);
+  for (std::int64_t k = 0; k < n; ++k) {
+    const auto p = static_cast<std::size_t>(k);
+    if (particles.id[p] == no_point) continue;
+    const auto along = grid_->along(grid_->cell_of(particles.position(p)));
+    row[p] = static_cast<std::uint32_t>(grid_->row_of(along) * tiles_along_x() * lanes + along[0]);
+  }
+  std::vector<std::uint32_t> count(static_cast<std::size_t>(tile_count()) * tile_cells, 0);
+  std::vector<std::uint32_t> rank(rows, 0);
+  for (std::size_t p = 0; p < rows; ++p)
+    if (row[p] != none) rank[p] = count[row[p]]++;
+
+  tiles_.clear();
+  free_.clear();
+  slot_of_.assign(static_cast<std::size_t>(tile_count()), none);
+  ranks_ = 0;
+  for (std::size_t index = 0; index < slot_of_.size(); ++index) {
+    const auto from = count.begin() + static_cast<std::ptrdiff_t>(index * tile_cells);
+    const std::uint32_t most = *std::max_element(from, from + lanes);
+    if (most == 0) continue;
+    slot_of_[index] = static_cast<std::uint32_t>(tiles_.size());
+    Tile& tile = tiles_.emplace_back(empty_tile(static_cast<int>(index)));
+    std::copy_n(from, tile_cells, tile.count.begin());
+    tile.capacity = tile.ranks = most;
+    tile.row = static_cast<std::uint32_t>(ranks_ * tile_cells);
+    ranks_ += most;
+  }
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < n; ++k) {
+    const auto p = static_cast<std::size_t>(k);
+    if (row[p] == none) continue;
+    const auto lane = static_cast<std::uint32_t>(row[p] % tile_cells);
+    row[p] = static_cast<std::uint32_t>(tiles_[slot_of_[row[p] / tile_cells]].row +
+                                        rank[p] * tile_cells + lane);
+  }
+  particles.rearrange(row, ranks_ * tile_cells);
+  find_node_runs();
+  find_side_pairs();
+}
+
+template <int Dim, int width> void CellOrder<Dim, width>::find_node_runs() {
+  const int row = grid_->nodes[0];
+  const int runs_in_row = (row - 1) / lanes + 1;
+  const auto run_at = [&](int node) {
+    return static_cast<std::size_t>(node / row * runs_in_row + node % row / lanes);
   };
-  particles.for_each_column(permute);
-  permute(cell_of_);
-  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] = static_cast<std::uint32_t>(k);
-  moved_ = 0;
-}
-
-template <int Dim, int corners> void CellOrder<Dim, corners>::find_places() {
-  const std::size_t cells = occupied_.size();
-  const auto width = static_cast<std::uint32_t>(grid_->width);
-  places_.resize(cells + 1);
-  std::uint32_t entry = 0;
-  std::array<int, Dim> along = {};
-  int row = 0; // the first cell of the present one
-  for (std::size_t slot = 0; slot < cells; ++slot) {
-    if (occupied_[slot] >= row + grid_->cells[0] || slot == 0) {
-      along = grid_->along(occupied_[slot]);
-      row = occupied_[slot] - along[0];
+  run_of_.assign(static_cast<std::size_t>(grid_->node_count / row * runs_in_row), none);
+  // Calls visit(number of the run, line, whether these are the tile's last nodes).
+  const auto for_each_run = [&](const Tile& tile, auto&& visit) {
+    for (std::size_t line = 0; line < lines; ++line) {
+      const int node = tile.first_node + grid_->corner_offset[line * width];
+      visit(run_at(node), line, false);
+      if (node % row + lanes < row) visit(run_at(node) + 1, line, true);
     }
-    along[0] = occupied_[slot] - row;
-    const bool goes_on =
-        slot % block_cells != 0 && occupied_[slot - 1] + 1 == occupied_[slot] && along[0] > 0;
-    entry = slot == 0 ? 0 : entry + (goes_on ? 1 : width);
-    places_[slot] = {grid_->first_node(along), entry, along};
-  }
-  places_[cells] = {0, entry + width, {}};
-}
+  };
 
-/// The lines of all strips, in the order of their first nodes.
-template <int Dim, int corners> void CellOrder<Dim, corners>::find_parts() {
-  const auto width = static_cast<std::uint32_t>(grid_->width);
-  std::vector<Part> strips;
-  for (std::size_t slot = 0; slot < cells(); ++slot) {
-    if (slot == 0 || !strip_goes_on(slot - 1))
-      strips.push_back({places_[slot].first_node, places_[slot].entry, 0, width});
-    else
-      ++strips.back().count;
-  }
-  // Line by line they are in order already.
-  parts_.clear();
-  for (std::uint32_t line = 0; line * width < corners; ++line) {
-    const auto before = static_cast<std::ptrdiff_t>(parts_.size());
-    for (Part part : strips) {
-      part.line = line;
-      part.node += grid_->corner_offset[line * width];
-      parts_.push_back(part);
-    }
-    std::ranges::inplace_merge(parts_, parts_.begin() + before, {}, &Part::node);
-  }
-}
-
-/// Unites the parts that overlap or touch, and cuts the whole into runs.
-template <int Dim, int corners> void CellOrder<Dim, corners>::find_node_runs() {
-  const std::vector<Part> whole = std::move(parts_);
-  parts_.clear();
+  constexpr std::uint32_t active = 0;
+  for (const Tile& tile : tiles_)
+    for_each_run(tile, [&](std::size_t run, std::size_t, bool) { run_of_[run] = active; });
   runs_.clear();
-  const auto end_of = [](const Part& part) { return part.node + static_cast<int>(part.count); };
-  for (std::size_t k = 0; k < whole.size();) {
-    const std::size_t first = k;
-    int end = end_of(whole[k]);
-    for (++k; k < whole.size() && whole[k].node <= end; ++k) end = std::max(end, end_of(whole[k]));
-    std::size_t reaches = first; // the first part that reaches the present run
-    for (int node = whole[first].node; node < end; node += static_cast<int>(NodeRun::most)) {
-      const int last = std::min(end, node + static_cast<int>(NodeRun::most));
-      NodeRun run = {node, static_cast<std::size_t>(last - node), parts_.size(), 0};
-      while (reaches < k && end_of(whole[reaches]) <= node) ++reaches;
-      for (std::size_t p = reaches; p < k && whole[p].node < last; ++p) {
-        const int from = std::max(node, whole[p].node);
-        const int to = std::min(last, end_of(whole[p]));
-        if (from < to)
-          parts_.push_back({from, whole[p].entry + static_cast<std::uint32_t>(from - whole[p].node),
-                            whole[p].line, static_cast<std::uint32_t>(to - from)});
-      }
-      run.end_part = parts_.size();
-      runs_.push_back(run);
-    }
+  for (std::size_t k = 0; k < run_of_.size(); ++k) {
+    if (run_of_[k] == none) continue;
+    run_of_[k] = static_cast<std::uint32_t>(runs_.size());
+    const int in_row = static_cast<int>(k) % runs_in_row * lanes;
+    NodeRun& run = runs_.emplace_back();
+    run.node = static_cast<int>(k) / runs_in_row * row + in_row;
+    run.count = static_cast<std::size_t>(std::min(lanes, row - in_row));
+    run.whole.fill(static_cast<std::uint32_t>(entry(tiles_.size())));
+    run.ends = run.whole;
   }
+  for (std::size_t slot = 0; slot < tiles_.size(); ++slot)
+    for_each_run(tiles_[slot], [&](std::size_t run, std::size_t line, bool last) {
+      NodeRun& of = runs_[run_of_[run]];
+      (last ? of.ends : of.whole)[line] =
+          static_cast<std::uint32_t>(entry(slot) + (last ? tile_cells : 0));
+    });
 }
 
-template <int Dim, int corners> void CellOrder<Dim, corners>::find_side_pairs() {
+template <int Dim, int width> void CellOrder<Dim, width>::find_side_pairs() {
   for (std::size_t axis = 0; axis < Dim; ++axis)
     for (std::size_t side = 0; side < 2; ++side) {
       side_pairs_[axis][side].clear();
@@ -253,43 +240,33 @@ template <int Dim, int corners> void CellOrder<Dim, corners>::find_side_pairs() 
     }
 }
 
-/// Of one layer.  A run may go on from the end of a row to the next one.
-template <int Dim, int corners>
-void CellOrder<Dim, corners>::find_side_pairs(std::size_t axis, int outer, int inner,
-                                              std::vector<SidePair>& pairs) const {
-  const int row = grid_->nodes[0];
-  const int stride = grid_->node_stride[axis];
-  const int inwards = (inner - outer) * stride;
-  for (const NodeRun& run : runs_) {
-    const int run_end = run.node + static_cast<int>(run.count);
-    for (int first = run.node, end = 0; first < run_end; first = end) {
-      end = std::min(run_end, (first / row + 1) * row);
-      const int along = first / stride % grid_->nodes[axis];
-      if (axis > 0 && along == outer)
-        for (int node = first; node < end; ++node) pairs.push_back({node, node + inwards});
-      const int on_side = first + outer - along;
-      if (axis == 0 && first <= on_side && on_side < end)
-        pairs.push_back({on_side, on_side + inwards});
-    }
-  }
+/// Of one layer.
+template <int Dim, int width>
+void CellOrder<Dim, width>::find_side_pairs(std::size_t axis, int outer, int inner,
+                                            std::vector<SidePair>& pairs) const {
+  const int inwards = (inner - outer) * grid_->node_stride[axis];
+  for (const NodeRun& run : runs_)
+    for (int node = run.node; node < run.node + static_cast<int>(run.count); ++node)
+      if (node / grid_->node_stride[axis] % grid_->nodes[axis] == outer)
+        pairs.push_back({node, node + inwards});
 }
 
+template class CellOrder<2, 2>;
+template class CellOrder<2, 3>;
 template class CellOrder<2, 4>;
-template class CellOrder<2, 9>;
-template class CellOrder<2, 16>;
-template class CellOrder<3, 8>;
-template class CellOrder<3, 27>;
-template class CellOrder<3, 64>;
+template class CellOrder<3, 2>;
+template class CellOrder<3, 3>;
+template class CellOrder<3, 4>;
 
+template void CellOrder<2, 2>::update(Particles<2>&);
+template void CellOrder<2, 3>::update(Particles<2>&);
 template void CellOrder<2, 4>::update(Particles<2>&);
-template void CellOrder<2, 9>::update(Particles<2>&);
-template void CellOrder<2, 16>::update(Particles<2>&);
-template void CellOrder<3, 8>::update(Particles<3>&);
-template void CellOrder<3, 27>::update(Particles<3>&);
-template void CellOrder<3, 64>::update(Particles<3>&);
-template void CellOrder<2, 4>::update(Particles<2, float>&);
-template void CellOrder<2, 9>::update(Particles<2, float>&);
-template void CellOrder<3, 8>::update(Particles<3, float>&);
-template void CellOrder<3, 27>::update(Particles<3, float>&);
+template void CellOrder<3, 2>::update(Particles<3>&);
+template void CellOrder<3, 3>::update(Particles<3>&);
+template void CellOrder<3, 4>::update(Particles<3>&);
+template void CellOrder<2, 2>::update(Particles<2, float>&);
+template void CellOrder<2, 3>::update(Particles<2, float>&);
+template void CellOrder<3, 2>::update(Particles<3, float>&);
+template void CellOrder<3, 3>::update(Particles<3, float>&);
 
 } // namespace scarp

@@ -1,69 +1,62 @@
-// Which points lie in which cell, and which cells and nodes a step touches.
+// Which rows hold the points of which cell, and which tiles and nodes a step touches.
 #pragma once
 
 #include "core/grid_index.hpp"
+#include "core/lanes.hpp"
 #include "core/particles.hpp"
 
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace scarp {
 
-/// The occupied cells in ascending order, each with its rows of Particles, and the nodes around
-/// them.
+/// The occupied tiles: `tile_cells` cells that follow each other along x, from a multiple of it on.
 ///
-/// `rows` is brought up to date whenever a point has changed cell; the columns themselves are put
-/// into that order only once enough points have moved (`reorder_part`), since copying all state
-/// every step costs more than it saves.  Order depends on the state alone, never on threads.
+/// A tile owns rows of Particles, rank after rank: row + tile_cells * rank + lane is for the cell
+/// in that lane, and a cell's points fill its ranks from 0 on.  So the passes have a cell in each
+/// lane of their registers, with the cells' nodes one behind the other in memory; nothing has to
+/// be collected from or spread to different places.  The ranks that some cells of a tile do not
+/// fill are the price: empty rows, without mass.
 ///
-/// Cells are worked on in blocks of `block_cells`.  Within a block, occupied cells that follow each
-/// other along x are a strip; the cells of a strip share nodes, and what they give these is added
-/// up in the strip's entries, one for every node along x.
-template <int Dim, int corners = 1 << Dim> class CellOrder {
+/// A point that changes cell takes its state along to its new row, and the cell's last point fills
+/// the gap.  A tile that is full gets rows elsewhere.  Once too many rows are empty, all are put in
+/// order.  Which row is whose depends on the state alone, never on threads.
+///
+/// What a tile gives nodes is added up in `tile_entries` entries for each line of nodes along x
+/// that it reaches; the nodes add up those of all tiles that reach them.
+template <int Dim, int width> class CellOrder {
  public:
-  static constexpr std::size_t block_cells = 32;
+  static constexpr std::size_t lines = static_cast<std::size_t>(power(width, Dim - 1));
+  static constexpr std::size_t tile_entries = tile_cells + width - 1;
 
-  /// Where an occupied cell lies.
-  struct Place {
-    int first_node;             ///< its lowest node
-    std::uint32_t entry;        ///< of its first node along x
+  struct Tile {
+    int index;                                   ///< of all tiles of the grid
+    int first_node;                              ///< lowest node of its first cell
+    std::array<int, Dim> along;                  ///< cells before its first one along each axis
+    std::uint32_t row;                           ///< its first one
+    std::uint32_t capacity;                      ///< ranks that it has rows for
+    std::uint32_t ranks;                         ///< most points in one of its cells
+    std::array<std::uint32_t, tile_cells> count; ///< points in each cell
+  };
+
+  /// An occupied cell, for what goes through it point by point.
+  struct Cell {
     std::array<int, Dim> along; ///< cells before it along each axis
+    int first_node;             ///< its lowest one
+    std::size_t entry;          ///< of its first node along x
+    std::size_t first_row;
+    std::size_t count; ///< points
+
+    std::size_t row(std::size_t k) const { return first_row + k * tile_cells; }
   };
-  /// Some entries of a strip and the nodes they belong to.
-  struct Part {
-    int node;            ///< the first one
-    std::uint32_t entry; ///< the first one
-    std::uint32_t line;  ///< of the lines of nodes that a cell reaches
-    std::uint32_t count;
-  };
-  /// Active nodes that follow each other along x, and the parts of strips that they add up.
+
+  /// Up to tile_cells active nodes that follow each other along x, and the entries which they add
+  /// up: of the tile that begins with them, and the last ones of the tile before it, line by line.
   struct NodeRun {
-    static constexpr std::size_t most = 64;
     int node; ///< the first one
     std::size_t count;
-    std::size_t first_part, end_part;
+    std::array<std::uint32_t, lines> whole, ends;
   };
-
-  explicit CellOrder(const GridIndex<Dim>& grid)
-      : grid_(&grid), count_(static_cast<std::size_t>(grid.cell_count) + 1) {}
-
-  /// Assigns every point to its cell.  All points must lie in the grid.
-  template <class T> void update(Particles<Dim, T>& particles);
-
-  std::size_t cells() const { return occupied_.size(); }
-  int cell(std::size_t slot) const { return occupied_[slot]; }
-  const Place& place(std::size_t slot) const { return places_[slot]; }
-  std::size_t begin(std::size_t slot) const { return begin_[slot]; }
-  std::size_t end(std::size_t slot) const { return begin_[slot + 1]; }
-  std::uint32_t row(std::size_t k) const { return rows_[k]; }
-  const std::uint32_t* rows() const { return rows_.data(); }
-
-  /// Whether the next cell goes on with this one's strip.
-  bool strip_goes_on(std::size_t slot) const {
-    return places_[slot + 1].entry == places_[slot].entry + 1;
-  }
-  std::size_t entries() const { return places_.back().entry; }
 
   /// Active nodes that a side acts on, as pairs with the mean velocity of the side: see
   /// GridIndex::side_layers.
@@ -71,8 +64,23 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
     int outer, inner;
   };
 
+  explicit CellOrder(const GridIndex<Dim>& grid) : grid_(&grid) {}
+
+  /// Assigns every point to its cell.  All points must lie in the grid.
+  template <class T> void update(Particles<Dim, T>& particles);
+
+  const std::vector<Tile>& tiles() const { return tiles_; }
+  /// The cell in a lane of a tile; maybe without points.
+  Cell cell(std::size_t tile, std::size_t lane) const;
+  /// All occupied cells, tile after tile.
+  std::vector<Cell> cells() const;
+
+  /// The first entry of a tile.
+  static std::size_t entry(std::size_t tile) { return tile * tile_entries; }
+  /// Of all tiles, and of one more that gives nothing: where no tile reaches.
+  std::size_t entries() const { return entry(tiles_.size() + 1); }
+
   const std::vector<NodeRun>& node_runs() const { return runs_; }
-  const Part& part(std::size_t k) const { return parts_[k]; }
   /// Only of sides that act (GridIndex::acts).
   const std::vector<SidePair>& side_pairs(std::size_t axis, std::size_t side) const {
     return side_pairs_[axis][side];
@@ -80,47 +88,43 @@ template <int Dim, int corners = 1 << Dim> class CellOrder {
 
   /// Bytes kept from step to step.
   std::size_t memory() const {
-    const std::size_t spare =
-        std::apply([](const auto&... columns) { return bytes_of(columns...); }, spare_);
-    return spare + bytes_of(cell_of_, count_, occupied_, previous_, places_, begin_,
-                            previous_begin_, rows_, previous_rows_, parts_, runs_);
+    std::size_t bytes = bytes_of(tiles_, slot_of_, runs_, run_of_, free_);
+    for (const auto& rows : free_) bytes += bytes_of(rows);
+    for (const auto& axis : side_pairs_) bytes += bytes_of(axis[0], axis[1]);
+    return bytes;
   }
 
  private:
-  static constexpr double reorder_part = 0.01;
+  static constexpr std::uint32_t none = no_point;
 
+  /// A point that has left its cell.
   struct Move {
-    int to; ///< cell
-    std::uint32_t row;
-    int from;
-    auto operator<=>(const Move&) const = default;
+    std::uint32_t slot; ///< of its tile
+    std::uint32_t rank;
+    std::uint32_t lane;
+    int to_tile; ///< index
+    std::uint32_t to_lane;
   };
 
-  std::vector<Move> find_moves(const std::array<Column, Dim>& x);
-  void count_points();
-  void follow(const std::vector<Move>& moves);
-  void find_places();
-  void find_parts();
+  int tiles_along_x() const { return (grid_->cells[0] - 1) / static_cast<int>(tile_cells) + 1; }
+  int tile_count() const { return grid_->cell_count / grid_->cells[0] * tiles_along_x(); }
+  Tile empty_tile(int index) const;
+  template <class T> std::vector<Move> find_moves(const Particles<Dim, T>& particles) const;
+  template <class T> void carry_out(const Move& move, Particles<Dim, T>& particles);
+  template <class T> void grow(Tile& tile, Particles<Dim, T>& particles);
+  template <class T> void rebuild(Particles<Dim, T>& particles);
   void find_node_runs();
   void find_side_pairs();
   void find_side_pairs(std::size_t axis, int outer, int inner, std::vector<SidePair>& pairs) const;
-  template <class T> void reorder(Particles<Dim, T>& particles);
 
   const GridIndex<Dim>* grid_;
-  std::vector<int> cell_of_;         ///< of each row
-  std::vector<std::uint32_t> count_; ///< scratch of the counting sort
-  std::vector<int> occupied_, previous_;
-  std::vector<Place> places_; ///< by slot, and an end
-  std::vector<std::uint32_t> begin_, previous_begin_;
-  std::vector<std::uint32_t> rows_, previous_rows_;
-  std::vector<Part> parts_; ///< by first node
+  std::vector<Tile> tiles_;
+  std::vector<std::uint32_t> slot_of_;           ///< in tiles_, of all tiles of the grid; or none
+  std::size_t ranks_ = 0;                        ///< of all tiles
+  std::vector<std::vector<std::uint32_t>> free_; ///< rows that a tile has left, by its capacity
   std::vector<NodeRun> runs_;
+  std::vector<std::uint32_t> run_of_; ///< in runs_, of all runs of the grid; or none
   std::array<std::array<std::vector<SidePair>, 2>, Dim> side_pairs_;
-  /// A column of each type, into which the next one is put in order.
-  std::tuple<Column, ColumnOf<float>, std::vector<std::uint32_t>, std::vector<std::uint8_t>,
-             std::vector<int>>
-      spare_;
-  std::size_t moved_ = 0; ///< cell changes since the columns were last put into order
 };
 
 } // namespace scarp

@@ -117,6 +117,13 @@ template <int Dim> struct GridIndex {
     return steps;
   }
 
+  /// Rows of cells along x before the one of a cell.
+  int row_of(const std::array<int, Dim>& steps) const {
+    int row = 0;
+    for (std::size_t i = 1; i < Dim; ++i) row += steps[i] * (cell_stride[i] / cells[0]);
+    return row;
+  }
+
   /// Lowest node of a cell.
   int first_node(int cell) const { return first_node(along(cell)); }
   int first_node(const std::array<int, Dim>& steps) const {

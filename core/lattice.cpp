@@ -112,7 +112,7 @@ template <int Dim> Particles<Dim> fill_regions(const Scene& scene) {
   for (std::size_t r = 0; r < scene.regions.size(); ++r) {
     const Region& region = scene.regions[r];
     const std::size_t material = material_index(scene, region, region.material);
-    const std::size_t before = points.size();
+    const std::size_t before = points.rows();
     std::array<double, 3> lower = {1e300, region.depth[0], 1e300};
     std::array<double, 3> upper = {-1e300, region.depth[1], -1e300};
     for (const Point2& q : region.polygon) {
@@ -165,9 +165,9 @@ template <int Dim> Particles<Dim> fill_regions(const Scene& scene) {
         }
       }
     }
-    if (points.size() == before) throw SetupError("region '" + region.name + "' holds no point");
+    if (points.rows() == before) throw SetupError("region '" + region.name + "' holds no point");
   }
-  if (points.size() == 0) throw SetupError("the scene has no region, so no material point");
+  if (points.rows() == 0) throw SetupError("the scene has no region, so no material point");
   return points;
 }
 

@@ -26,37 +26,6 @@ template <int Dim, class Number_ = Real> struct LinearShape : Stencil<Dim, 2, Nu
   /// Parts of a cell's volume that belong to its nodes along an axis.
   static constexpr std::array<Real, 2> shares = {0.5, 0.5};
 
-  /// w = 1 - xi or xi.
-  class Lanes {
-   public:
-    explicit Lanes(const StencilCell<Dim>&) {}
-
-    [[gnu::always_inline]] StencilLanes<Dim, power(2, Dim), Number_>
-    operator()(const Vec<Dim, Number_>& xi) const {
-      const auto dw = [&](std::size_t a) __attribute__((always_inline)) {
-        return AtNodes(tables[1][a]);
-      };
-      const auto w = [&](std::size_t a) __attribute__((always_inline)) {
-        return AtNodes(tables[0][a]) + dw(a) * xi[a];
-      };
-      return {w, dw};
-    }
-
-   private:
-    using AtNodes = NodeLanes<power(2, Dim), Number_>;
-    /// At xi = 0, and the slope; by axis.
-    static constexpr std::array<std::array<typename AtNodes::Table, Dim>, 2> tables = [] {
-      std::array<std::array<typename AtNodes::Table, Dim>, 2> both = {};
-      for (std::size_t a = 0; a < Dim; ++a)
-        for (std::size_t lane = 0; lane < Stencil<Dim, 2>::nodes; ++lane) {
-          const std::size_t c = node_in_lane(lane, Stencil<Dim, 2>::nodes, 2);
-          both[0][a][lane] = c >> a & 1U ? 0 : 1;
-          both[1][a][lane] = c >> a & 1U ? 1 : -1;
-        }
-      return both;
-    }();
-  };
-
  private:
   template <class T>
   static AlongAxes<Dim, 2, T> along_axes(const std::array<T, Dim>& xi, Real inv_h) {

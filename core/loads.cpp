@@ -67,7 +67,7 @@ template <int Dim>
 template <class T>
 std::vector<Vec<Dim>> Loads<Dim>::moments(const Particles<Dim, T>& points) const {
   std::vector<Vec<Dim>> sums(regions_.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (std::size_t p = 0; p < points.rows(); ++p)
     for (std::size_t i = 0; i < Dim; ++i) sums[points.region[p]][i] += points.m[p] * points.x[i][p];
   return sums;
 }

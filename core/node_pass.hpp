@@ -1,30 +1,25 @@
-// What happens on the nodes: add up the strips' sums, advance the momentum, apply the walls.
+// What happens on the nodes: add up the tiles' sums, advance the momentum, apply the walls.
 #pragma once
 
 #include "core/side_pass.hpp"
 #include "core/state.hpp"
 #include "core/walls.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 namespace scarp {
 
-/// One number for each node of a run.
-template <class T> using RunValuesOf = std::array<T, CellOrder<2>::NodeRun::most>;
-
-/// Adds up the lines of the strips that reach the nodes of a run.
+/// Adds up the tiles' entries for the nodes of a run.
 template <int Dim, class Shape>
-[[gnu::always_inline]] inline void add_up(const State<Dim, Shape>& state, const auto& run,
-                                          const typename StripSums<Dim, Shape>::Lines& lines,
-                                          RunValuesOf<typename Shape::Number>& sum) {
-  for (std::size_t k = run.first_part; k < run.end_part; ++k) {
-    const auto& part = state.order.part(k);
-    const auto* from = &lines[part.line][part.entry];
-    auto* to = &sum[static_cast<std::size_t>(part.node - run.node)];
-    for (std::size_t n = 0; n < part.count; ++n) to[n] += from[n];
+[[gnu::always_inline]] inline Pack<typename Shape::Number>
+add_up(const auto& run, const typename TileSums<Dim, Shape>::Lines& lines) {
+  using T = typename Shape::Number;
+  Pack<T> sum = T(0);
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    sum += load_lanes(&lines[line][run.whole[line]]);
+    sum += load_first<Shape::width - 1>(&lines[line][run.ends[line]]);
   }
+  return sum;
 }
 
 /// A sweep over the runs of active nodes in two halves: between them the nodes outside mirrors and
@@ -42,14 +37,11 @@ void sweep_nodes(State<Dim, Shape>& state, const Walls<Dim>& walls, auto&& first
   for_each_node_run(state, second);
 }
 
-/// (m v)_I of a run from the strips' sums; it is kept in v until the masses are known.
+/// (m v)_I of a run from the tiles' sums; it is kept in v until the masses are known.
 template <int Dim, class Shape> void add_up_momenta(State<Dim, Shape>& state, const auto& run) {
-  using T = typename Shape::Number;
-  for (std::size_t i = 0; i < Dim; ++i) {
-    RunValuesOf<T> mv = {};
-    add_up(state, run, state.nodal.sums.mv[i], mv);
-    std::copy_n(mv.begin(), run.count, &state.nodal.nodes.v[i][static_cast<std::size_t>(run.node)]);
-  }
+  for (std::size_t i = 0; i < Dim; ++i)
+    store_lanes(add_up<Dim, Shape>(run, state.nodal.sums.mv[i]),
+                &state.nodal.nodes.v[i][static_cast<std::size_t>(run.node)], run.count);
 }
 
 /// Takes the constrained components of a run's velocities away, as in every mapping, since position
@@ -71,11 +63,8 @@ template <int Dim, class Shape>
 void find_velocities(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& run) {
   auto& nodes = state.nodal.nodes;
   const auto first = static_cast<std::size_t>(run.node);
-  for (std::size_t i = 0; i < Dim; ++i) {
-    const auto* inv_m = &nodes.inv_m[first];
-    auto* v = &nodes.v[i][first];
-    for (std::size_t k = 0; k < run.count; ++k) v[k] *= inv_m[k];
-  }
+  const auto inv_m = load_lanes(&nodes.inv_m[first]);
+  for (auto& v : nodes.v) store_lanes(inv_m * load_lanes(&v[first]), &v[first], run.count);
   constrain(nodes, walls, run);
 }
 
@@ -86,17 +75,15 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   Nodes<Dim, T>& nodes = state.nodal.nodes;
   const auto add_up_masses = [&](const auto& run) {
     const auto first = static_cast<std::size_t>(run.node);
-    RunValuesOf<T> m = {};
-    add_up(state, run, state.nodal.sums.m, m);
-    for (std::size_t k = 0; k < run.count; ++k) nodes.inv_m[first + k] = nodes.m[first + k] = m[k];
+    const Pack<T> m = add_up<Dim, Shape>(run, state.nodal.sums.m);
+    store_lanes(m, &nodes.m[first], run.count);
+    store_lanes(m, &nodes.inv_m[first], run.count);
     if (state.nodal.tracks_fraction) {
-      RunValuesOf<T> V0 = {};
-      add_up(state, run, state.nodal.sums.V0, V0);
-      for (std::size_t k = 0; k < run.count; ++k) {
-        const Real volume = state.nodal.volume[first + k]; // 0: beyond the grid; such are full
-        nodes.fraction[first + k] =
-            static_cast<T>(volume > 0.0 && V0[k] > 0 ? V0[k] / volume : 1.0);
-      }
+      const Pack<T> V0 = add_up<Dim, Shape>(run, state.nodal.sums.V0);
+      const Pack<T> volume = load_lanes(&state.nodal.volume[first]);
+      Pack<T> fraction = V0 / volume;
+      where(!(volume > 0.0F && V0 > 0.0F), fraction) = 1.0F; // beyond the grid; such are full
+      store_lanes(fraction, &nodes.fraction[first], run.count);
     }
     add_up_momenta(state, run);
   };
@@ -107,11 +94,11 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         add_images(state, walls, nodes.v);
       },
       [&](const auto& run, std::size_t) {
-        T* inv_m = &nodes.inv_m[static_cast<std::size_t>(run.node)];
-        for (std::size_t k = 0; k < run.count; ++k) {
-          const T inverse = T(1) / inv_m[k];
-          inv_m[k] = inv_m[k] > 0 ? inverse : T(0);
-        }
+        T* at = &nodes.inv_m[static_cast<std::size_t>(run.node)];
+        const Pack<T> m = load_lanes(at);
+        Pack<T> inverse = 1.0F / m;
+        where(!(m > 0.0F), inverse) = 0.0F;
+        store_lanes(inverse, at, run.count);
         find_velocities(state, walls, run);
       });
   hold_back_pass(state, walls);
@@ -132,39 +119,34 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
     drag.resize(damping > 0.0 && state.moves_with_strain ? nodes.m.size() : 0);
   const auto add_up_forces = [&](const auto& run) {
     const auto first = static_cast<std::size_t>(run.node);
-    for (std::size_t i = 0; i < Dim; ++i) {
-      RunValuesOf<T> force = {};
-      add_up(state, run, state.nodal.sums.f[i], force);
-      const auto b = static_cast<T>(gravity[i]);
-      for (std::size_t k = 0; k < run.count; ++k)
-        nodes.f[i][first + k] = force[k] + nodes.m[first + k] * b;
-    }
+    const Pack<T> m = load_lanes(&nodes.m[first]);
+    for (std::size_t i = 0; i < Dim; ++i)
+      store_lanes(add_up<Dim, Shape>(run, state.nodal.sums.f[i]) + m * number<T>(gravity[i]),
+                  &nodes.f[i][first], run.count);
   };
-  const auto advance = [&](const auto& run, std::size_t number) {
+  const auto advance = [&](const auto& run, std::size_t number_of_run) {
     const auto first = static_cast<std::size_t>(run.node);
-    const T* inv_m = &nodes.inv_m[first];
-    std::array<RunValuesOf<T>, Dim> before, drag = {};
+    const Pack<T> inv_m = load_lanes(&nodes.inv_m[first]);
+    std::array<Pack<T>, Dim> before, drag;
     for (std::size_t i = 0; i < Dim; ++i) {
-      const T* f = &nodes.f[i][first];
-      T* v = &nodes.v[i][first];
-      std::copy_n(v, run.count, before[i].begin());
+      const Pack<T> f = load_lanes(&nodes.f[i][first]);
+      before[i] = load_lanes(&nodes.v[i][first]);
+      drag[i] = 0.0F;
       if (damping > 0.0)
-        for (std::size_t k = 0; k < run.count; ++k)
-          drag[i][k] = v[k] != 0 ? static_cast<T>(-damping) * std::copysign(f[k], v[k]) : T(0);
-      for (std::size_t k = 0; k < run.count; ++k)
-        v[k] += static_cast<T>(dt) * inv_m[k] * (f[k] + drag[i][k]);
+        where(before[i] != 0.0F, drag[i]) =
+            number<T>(-damping) * std::experimental::copysign(f, before[i]);
+      store_lanes(before[i] + number<T>(dt) * inv_m * (f + drag[i]), &nodes.v[i][first], run.count);
     }
     constrain(nodes, walls, run);
     for (std::size_t i = 0; i < Dim; ++i) {
-      const T* v = &nodes.v[i][first];
-      T* dv = &nodes.dv[i][first];
-      for (std::size_t k = 0; k < run.count; ++k) dv[k] = v[k] - before[i][k];
+      const Pack<T> v = load_lanes(&nodes.v[i][first]);
+      store_lanes(v - before[i], &nodes.dv[i][first], run.count);
       if (damping == 0.0) continue;
       if (state.moves_with_strain)
-        std::copy_n(drag[i].begin(), run.count, &nodes.drag[i][first]);
+        store_lanes(drag[i], &nodes.drag[i][first], run.count);
       else // of what moves together, each node counts for its part of the mass
         for (std::size_t k = 0; k < run.count; ++k)
-          state.nodal.damped[number] +=
+          state.nodal.damped[number_of_run] +=
               nodes.m[first + k] * inv_m[k] * taken_work(before[i][k], v[k], -dt * drag[i][k]);
     }
   };

@@ -1,7 +1,7 @@
 // State of the background grid's nodes and what the passes over cells leave for them.
 #pragma once
 
-#include "core/particles.hpp"
+#include "core/cell_order.hpp"
 #include "core/stencil.hpp"
 
 #include <cmath>
@@ -9,61 +9,60 @@
 
 namespace scarp {
 
-/// What the points of a block of cells give the nodes, added up along its strips (CellOrder): for
-/// each of the lines of nodes that a strip reaches, one number an entry, that is for every node
-/// along x.  The nodes add up the strips' lines in a fixed order, so no two threads ever write to
-/// the same place.
-template <int Dim, class Shape> struct StripSums {
-  using Column = ColumnOf<typename Shape::Number>;
-  static constexpr std::size_t lines = Shape::nodes / Shape::width;
-  using Lines = std::array<Column, lines>;
+/// What the points of a tile of cells give the nodes (CellOrder): for each of the lines of nodes
+/// that it reaches, one number an entry, that is for every node along x.  The nodes add up the
+/// tiles' entries in a fixed order, so no two threads ever write to the same place.
+template <int Dim, class Shape> struct TileSums {
+  using T = typename Shape::Number;
+  using Order = CellOrder<Dim, Shape::width>;
+  using Lines = std::array<ColumnOf<T>, Order::lines>;
+  using OfCells = std::array<Pack<T>, Shape::nodes>; ///< by corner, a number for each cell
 
   Lines m;                   ///< kg
   Lines V0;                  ///< m3, of the unloaded material; only if it is tracked
   std::array<Lines, Dim> mv; ///< kg m/s
   std::array<Lines, Dim> f;  ///< N, internal
 
-  void resize(std::size_t entries, bool with_volume) {
-    const auto resize_lines = [entries](Lines& all) {
-      for (Column& line : all) line.resize(entries);
+  [[gnu::always_inline]] static void clear(OfCells& sums) {
+    repeated<Order::lines>([&](std::size_t line) __attribute__((always_inline)) {
+      unrolled<Shape::width>([&](auto k) __attribute__((always_inline)) {
+        sums[line * Shape::width + k] = T(0);
+      });
+    });
+  }
+
+  /// For the tiles of the order; what gives nothing is 0.
+  void resize(const Order& order, bool with_volume) {
+    const auto resize_lines = [&order](Lines& all) {
+      for (auto& line : all) {
+        line.resize(order.entries());
+        std::fill(line.end() - Order::tile_entries, line.end(), T(0));
+      }
     };
     resize_lines(m);
     if (with_volume) resize_lines(V0);
     for (Lines& component : mv) resize_lines(component);
     for (Lines& component : f) resize_lines(component);
   }
-};
 
-/// One number for each node of a strip's cells, cell after cell.
-template <int Dim, class Shape> class StripSum {
- public:
-  using Number = typename Shape::Number;
-
-  /// Adds a cell's; after its `last` cell the strip is complete.
-  [[gnu::always_inline]] void add(const NodeLanes<Shape::nodes, Number>& cell,
-                                  typename StripSums<Dim, Shape>::Lines& to, std::size_t entry,
-                                  bool last) {
-    const std::array<Number, Shape::nodes> sums = cell.values();
-    for (std::size_t line = 0; line < lines; ++line) {
-      to[line][entry] = carry_[0][line] + sums[line];
-      for (std::size_t k = 1; k < columns; ++k)
-        carry_[k - 1][line] = carry_[k][line] + sums[k * lines + line];
-      carry_[columns - 1][line] = sums[columns * lines + line];
-      if (!last) continue;
-      for (std::size_t k = 0; k < columns; ++k) {
-        to[line][entry + 1 + k] = carry_[k][line];
-        carry_[k][line] = 0;
-      }
-    }
+  /// Sets a tile's entries, each to the sum over the cells that share the node.
+  [[gnu::always_inline]] static void add_up(const OfCells& of_cells, Lines& to, std::size_t tile) {
+    repeated<Order::lines>([&](std::size_t line) __attribute__((always_inline)) {
+      Pack<T> whole = of_cells[line * Shape::width], ends = T(0);
+      unrolled<Shape::width - 1>([&](auto k) __attribute__((always_inline)) {
+        const Pack<T>& values = of_cells[line * Shape::width + k + 1];
+        whole += moved_up<k + 1>(values, Pack<T>(T(0)));
+        ends += moved_up<k + 1>(Pack<T>(T(0)), values);
+      });
+      T* entries = &to[line][Order::entry(tile)];
+      store_lanes(whole, entries);
+      unrolled<Shape::width - 1>([&](auto k) { entries[tile_cells + k] = ends[k]; });
+    });
   }
-
- private:
-  static constexpr std::size_t lines = StripSums<Dim, Shape>::lines;
-  static constexpr std::size_t columns = Shape::width - 1; ///< that a cell shares with the next
-  std::array<std::array<Number, lines>, columns> carry_ = {};
 };
 
-/// By node index; only active nodes are meaningful.
+/// By node index, and room for the nodes of lanes beyond the grid's end; only active nodes are
+/// meaningful.
 template <int Dim, class T = Real> struct Nodes {
   using Column = ColumnOf<T>;
   Column m; ///< kg
@@ -78,7 +77,7 @@ template <int Dim, class T = Real> struct Nodes {
 };
 
 template <int Dim, class Shape> struct GridState {
-  StripSums<Dim, Shape> sums;
+  TileSums<Dim, Shape> sums;
   Nodes<Dim, typename Shape::Number> nodes;
   Column damped;     ///< J, taken in this step by local damping, by run of nodes
   Real rubbed = 0.0; ///< J, taken in this step by friction on walls
@@ -91,7 +90,8 @@ template <int Dim, class Shape> struct GridState {
 
   /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
   bool tracks_fraction;
-  Column volume; ///< m3, by node: what belongs to it of the cells around it
+  ColumnOf<typename Shape::Number>
+      volume; ///< m3, by node: what belongs to it of the cells around it
 
   /// Bytes.
   std::size_t memory() const {
@@ -111,7 +111,7 @@ template <int Dim, class Shape> struct GridState {
   }
 
   GridState(const GridIndex<Dim>& grid, bool with_fraction) : tracks_fraction(with_fraction) {
-    const auto n = static_cast<std::size_t>(grid.node_count);
+    const std::size_t n = static_cast<std::size_t>(grid.node_count) + tile_cells;
     nodes.m.resize(n);
     nodes.inv_m.resize(n);
     for (std::size_t i = 0; i < Dim; ++i) {
@@ -127,7 +127,8 @@ template <int Dim, class Shape> struct GridState {
         const auto k = Shape::places(c);
         Real share = std::pow(grid.h, Dim);
         for (std::size_t a = 0; a < Dim; ++a) share *= Shape::shares[k[a]];
-        volume[static_cast<std::size_t>(grid.first_node(index) + grid.corner_offset[c])] += share;
+        volume[static_cast<std::size_t>(grid.first_node(index) + grid.corner_offset[c])] +=
+            static_cast<typename Shape::Number>(share);
       }
     }
   }

@@ -4,6 +4,7 @@
 #include "core/memory.hpp"
 #include "core/types.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -11,14 +12,13 @@
 
 namespace scarp {
 
-/// A number for every point, or for every node.
-template <class T> using ColumnOf = std::vector<T>;
 using Column = ColumnOf<Real>;
 
-/// An id that no material point has.
+/// The id of a row without a point.
 inline constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
-/// Row p of every column belongs to one material point.  Rows are kept sorted by cell; `id` is the
+/// Row p of every column belongs to one material point, or is empty: `id` is no_point, J 1 and all
+/// else 0, so that sums over rows need not ask.  CellOrder says which row is whose; `id` is the
 /// point's place in the order of creation and never changes.  Positions are doubles whatever T is,
 /// so that accuracy does not depend on where the origin lies; the passes take from them where a
 /// point lies in its cell.
@@ -37,9 +37,9 @@ template <int Dim, class T = Real> struct Particles {
   Column gap; ///< -, volumetric strain by which the point stands open; empty if it is forgotten
   Column plastic_strain; ///< -, equivalent, deviatoric
   Column dissipation;    ///< J/m3 of V0, plastic work so far
-  std::vector<std::uint32_t> id;
-  std::vector<std::uint8_t> material; ///< index into Scene::materials
-  std::vector<std::uint8_t> region;   ///< index into Scene::regions
+  ColumnOf<std::uint32_t> id;
+  ColumnOf<std::uint8_t> material; ///< index into Scene::materials
+  ColumnOf<std::uint8_t> region;   ///< index into Scene::regions
 
   Particles() = default;
   /// The same points with numbers of another type.
@@ -61,7 +61,43 @@ template <int Dim, class T = Real> struct Particles {
     take(dissipation, other.dissipation);
   }
 
-  std::size_t size() const { return id.size(); }
+  std::size_t rows() const { return id.size(); }
+
+  /// Calls visit(p) for every row with a point.
+  template <class Visit> void for_each(Visit&& visit) const {
+    for (std::size_t p = 0; p < rows(); ++p)
+      if (id[p] != no_point) visit(p);
+  }
+
+  /// Adds empty rows.
+  void resize(std::size_t rows) {
+    for_each_column([&](auto& column) {
+      if (rows > column.capacity()) column.reserve(rows + rows / 8);
+      column.resize(rows, of_empty_row(column));
+    });
+  }
+
+  /// Row p becomes row to[p], if that is a row; all others are empty.
+  void rearrange(const std::vector<std::uint32_t>& to, std::size_t new_rows) {
+    const auto n = static_cast<std::int64_t>(rows());
+    for_each_column([&](auto& column) {
+      std::remove_cvref_t<decltype(column)> fresh(new_rows, of_empty_row(column));
+#pragma omp parallel for schedule(static)
+      for (std::int64_t k = 0; k < n; ++k) {
+        const auto p = static_cast<std::size_t>(k);
+        if (to[p] < new_rows) fresh[to[p]] = column[p];
+      }
+      column.swap(fresh);
+    });
+  }
+
+  /// Rows that follow each other, to others, which must not overlap; they are empty then.
+  void move_rows(std::size_t from, std::size_t to, std::size_t count) {
+    for_each_column([&](auto& column) {
+      std::copy_n(&column[from], count, &column[to]);
+      std::fill_n(&column[from], count, of_empty_row(column));
+    });
+  }
 
   Vec<Dim> position(std::size_t p) const { return at(x, p); }
   Vec<Dim, T> velocity(std::size_t p) const { return at(v, p); }
@@ -97,6 +133,11 @@ template <int Dim, class T = Real> struct Particles {
   }
 
  private:
+  template <class Number> Number of_empty_row(const ColumnOf<Number>& column) const {
+    if constexpr (std::is_same_v<Number, std::uint32_t>) return no_point;
+    return static_cast<Number>(static_cast<const void*>(&column) == &J ? 1 : 0);
+  }
+
   template <class Number>
   static Vec<Dim, Number> at(const std::array<ColumnOf<Number>, Dim>& columns, std::size_t p) {
     Vec<Dim, Number> value;

@@ -88,7 +88,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
           StaticEquilibrium<Dim, Shape>(state_, walls_, materials_).find([this](std::size_t p) {
             return body_force(p);
           });
-    for (std::size_t p = 0; p < points(); ++p) fastest_ = std::max(fastest_, speed(p));
+    state_.particles.for_each([this](std::size_t p) { fastest_ = std::max(fastest_, speed(p)); });
     loads_.settle(state_.particles);
     first_energies_ = energies();
   }
@@ -145,9 +145,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   int dimension() const override { return Dim; }
   double time() const override { return time_; }
   long steps() const override { return steps_; }
-  std::size_t points() const override { return state_.particles.size(); }
+  std::size_t points() const override { return start_[0].size(); }
   std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
-  std::size_t occupied_cells() const override { return state_.order.cells(); }
+  std::size_t occupied_cells() const override { return state_.order.cells().size(); }
   std::size_t memory() const override {
     std::size_t start = 0;
     for (const Column& x : start_) start += bytes_of(x);
@@ -185,8 +185,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     for (const Region& region : scene_.regions)
       counts.push_back(names.empty() || std::ranges::find(names, region.name) != names.end());
     Real front = -std::numeric_limits<Real>::infinity();
-    for (std::size_t p = 0; p < points(); ++p)
+    state_.particles.for_each([&](std::size_t p) {
       if (counts[state_.particles.region[p]]) front = std::max(front, state_.particles.x[0][p]);
+    });
     return front;
   }
 
@@ -230,8 +231,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
           material_index(scene_, region, own ? region.material : changed->second)));
     }
     auto& points = state_.particles;
-    for (std::size_t p = 0; p < points.size(); ++p)
-      points.material[p] = material_of_region_[points.region[p]];
+    points.for_each(
+        [&](std::size_t p) { points.material[p] = material_of_region_[points.region[p]]; });
   }
 
   /// m/s2, at row p and the present time.
@@ -297,7 +298,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
 
   void move_points() {
     auto& points = state_.particles;
-    const auto n = static_cast<std::int64_t>(points.size());
+    const auto n = static_cast<std::int64_t>(points.rows());
 #pragma omp parallel for schedule(static)
     for (std::int64_t k = 0; k < n; ++k)
       for (std::size_t i = 0; i < Dim; ++i)
@@ -317,7 +318,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   void check_positions() const {
     const auto& x = state_.particles.x;
     const auto& dx = state_.particles.dx;
-    const auto n = static_cast<std::int64_t>(points());
+    const auto n = static_cast<std::int64_t>(state_.particles.rows());
     std::uint32_t outside = no_point;
 #pragma omp parallel for schedule(static) reduction(min : outside)
     for (std::int64_t k = 0; k < n; ++k) {
@@ -332,7 +333,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   void check_volumes() const {
-    const auto n = static_cast<std::int64_t>(points());
+    const auto n = static_cast<std::int64_t>(state_.particles.rows());
     std::uint32_t bad = no_point;
 #pragma omp parallel for schedule(static) reduction(min : bad)
     for (std::int64_t k = 0; k < n; ++k) {
@@ -379,7 +380,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
 
 template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const Snapshot& start) {
   auto& points = state_.particles;
-  const std::size_t n = points.size();
+  const std::size_t n = points.rows(); // before the first order: in that of creation
   if (start.position.size() != 3 * n)
     throw SetupError("the state to begin from has " + std::to_string(start.position.size() / 3) +
                      " points, the scene has " + std::to_string(n));

@@ -8,7 +8,7 @@ namespace scarp {
 template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() const {
   const auto& points = state_.particles;
   Energies now;
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  points.for_each([&](std::size_t p) {
     Real v2 = 0.0;
     for (std::size_t i = 0; i < Dim; ++i) v2 += points.v[i][p] * points.v[i][p];
     now.kinetic += 0.5 * points.m[p] * v2;
@@ -25,7 +25,7 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
     }
     now.strain +=
         points.V0[p] * (mean * (0.5 * mean / moduli.bulk + gap(p)) + 0.25 * s2 / moduli.shear);
-  }
+  });
   const auto& nodes = state_.nodal.nodes;
   for (const auto& run : state_.order.node_runs())
     for (std::size_t k = static_cast<std::size_t>(run.node), end = k + run.count; k < end; ++k)
@@ -42,10 +42,11 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
 
 template <int Dim, class Shape> std::vector<double> SimulationOf<Dim, Shape>::positions() const {
   const auto& points = state_.particles;
-  std::vector<double> values(3 * points.size(), 0.0);
-  for (std::size_t p = 0; p < points.size(); ++p)
+  std::vector<double> values(3 * this->points(), 0.0);
+  points.for_each([&](std::size_t p) {
     for (int a = 0; a < Dim; ++a)
       values[3 * points.id[p] + scene_axis<Dim>(a)] = points.x[static_cast<std::size_t>(a)][p];
+  });
   return values;
 }
 
@@ -53,10 +54,10 @@ template <int Dim, class Shape>
 std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) const {
   const auto& points = state_.particles;
   const auto components = static_cast<std::size_t>(field_info(name).components);
-  std::vector<double> values(components * points.size(), 0.0);
+  std::vector<double> values(components * this->points(), 0.0);
 
   const auto scalar = [&](auto&& value) {
-    for (std::size_t p = 0; p < points.size(); ++p) values[points.id[p]] = value(p);
+    points.for_each([&](std::size_t p) { values[points.id[p]] = value(p); });
   };
   const auto mean_stress = [&](std::size_t p) {
     return (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) / (3.0 * points.J[p]);
@@ -64,21 +65,24 @@ std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) con
   if (name == "displacement") {
     values = positions();
     for (int a = 0; a < Dim; ++a)
-      for (std::size_t p = 0; p < points.size(); ++p)
+      for (std::size_t p = 0; p < this->points(); ++p)
         values[3 * p + scene_axis<Dim>(a)] -= start_[static_cast<std::size_t>(a)][p];
   } else if (name == "velocity") {
-    for (std::size_t p = 0; p < points.size(); ++p)
+    points.for_each([&](std::size_t p) {
       for (int a = 0; a < Dim; ++a)
         values[3 * points.id[p] + scene_axis<Dim>(a)] = points.v[static_cast<std::size_t>(a)][p];
+    });
   } else if (name == "velocity_gradient") {
-    for (std::size_t p = 0; points.affine() && p < points.size(); ++p)
-      for (std::size_t i = 0; i < Dim; ++i)
+    points.for_each([&](std::size_t p) {
+      for (std::size_t i = 0; points.affine() && i < Dim; ++i)
         for (std::size_t j = 0; j < Dim; ++j)
           values[9 * points.id[p] + gradient_place<Dim>(i, j)] = points.C[Dim * i + j][p];
+    });
   } else if (name == "stress") {
-    for (std::size_t p = 0; p < points.size(); ++p)
+    points.for_each([&](std::size_t p) {
       for (std::size_t i = 0; i < stress_place<Dim>.size(); ++i)
         values[6 * points.id[p] + stress_place<Dim>[i]] = points.tau[i][p] / points.J[p];
+    });
   } else if (name == "mean_stress") {
     scalar(mean_stress);
   } else if (name == "deviatoric_stress") {

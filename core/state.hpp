@@ -22,7 +22,7 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   GridIndex<Dim> grid;
   Real half_point; ///< half the length of a point, in cells
   Particles<Dim, Number> particles;
-  CellOrder<Dim, Shape::nodes> order;
+  CellOrder<Dim, Shape::width> order;
   GridState<Dim, Shape> nodal;
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
@@ -43,54 +43,72 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   State& operator=(const State&) = delete;
 };
 
-/// Occupied cells that a thread works on together, so that registers are full of their points.
-struct CellBlock {
-  std::size_t first_slot, end_slot;
-  const std::uint32_t* rows; ///< of Particles
-  std::size_t size;          ///< number of rows
-
-  template <class T> [[gnu::always_inline]] RowPack<T> pack(std::size_t k) const {
-    return {rows + k, std::min(RowPack<T>::capacity, size - k)};
-  }
-};
-
-template <int Dim, class Shape> std::int64_t block_count(const State<Dim, Shape>& state) {
-  constexpr std::size_t cells = CellOrder<Dim, Shape::nodes>::block_cells;
-  return static_cast<std::int64_t>((state.order.cells() + cells - 1) / cells);
-}
-
-template <int Dim, class Shape>
-CellBlock cell_block(const State<Dim, Shape>& state, std::int64_t index) {
-  constexpr std::size_t cells = CellOrder<Dim, Shape::nodes>::block_cells;
-  const std::size_t first = static_cast<std::size_t>(index) * cells;
-  const std::size_t end = std::min(first + cells, state.order.cells());
-  const std::size_t begin = state.order.begin(first);
-  return {first, end, state.order.rows() + begin, state.order.begin(end) - begin};
-}
-
-/// Calls visit(slot) for every occupied cell, on all threads, those of a block in order on one.
+/// Calls visit(its number) for every tile, on all threads.
 template <int Dim, class Shape, class Visit>
-void for_each_cell(const State<Dim, Shape>& state, Visit&& visit) {
-  const std::int64_t blocks = block_count(state);
+void for_each_tile(const State<Dim, Shape>& state, Visit&& visit) {
+  const auto tiles = static_cast<std::int64_t>(state.order.tiles().size());
 #pragma omp parallel for schedule(static)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    const CellBlock block = cell_block(state, b);
-    for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) visit(slot);
-  }
+  for (std::int64_t tile = 0; tile < tiles; ++tile) visit(static_cast<std::size_t>(tile));
 }
 
-/// Where the rows of a pack lie in their cells, each component in [0, 1).
-template <int Dim, class Shape, class T>
-[[gnu::always_inline]] inline std::array<Pack<T>, Dim>
-local_position(const State<Dim, Shape>& state, const RowPack<T>& rows) {
-  std::array<Pack<T>, Dim> xi;
-  for (std::size_t i = 0; i < Dim; ++i)
-    xi[i] = rows.map(state.particles.x[i], [&](const auto& x) {
-      const auto scaled = state.grid.scaled(x, i);
-      return scaled - floor(scaled);
-    });
-  return xi;
+/// Calls visit(cell) for the occupied cells of a tile.
+template <int Dim, class Shape, class Visit>
+void for_each_cell_of(const State<Dim, Shape>& state, std::size_t tile, Visit&& visit) {
+  for (std::size_t lane = 0; lane < tile_cells; ++lane)
+    if (const auto cell = state.order.cell(tile, lane); cell.count > 0) visit(cell);
 }
+
+/// Where the lanes of a tile lie, and which of them have points.
+template <int Dim, class Shape> class TileLanes {
+  using T = typename Shape::Number;
+
+ public:
+  [[gnu::always_inline]] TileLanes(const State<Dim, Shape>& state, std::size_t tile)
+      : state_(state), tile_(state.order.tiles()[tile]),
+        stencil_(state.grid, tile_.along, state.half_point),
+        count_([this](auto lane) { return static_cast<T>(tile_.count[lane]); }) {}
+
+  std::size_t ranks() const { return tile_.ranks; }
+  /// The first row of a rank.
+  std::size_t row(std::size_t rank) const { return tile_.row + rank * tile_cells; }
+  /// Lanes with a point of this rank.
+  [[gnu::always_inline]] auto filled(std::size_t rank) const {
+    return count_ > static_cast<T>(rank);
+  }
+  /// Rows of a rank with this material; empty ones have material 0.
+  [[gnu::always_inline]] auto of_material(std::size_t rank, std::uint8_t material) const {
+    const std::uint8_t* of_rows = &state_.particles.material[row(rank)];
+    const Pack<T> own([&](auto lane) { return static_cast<T>(of_rows[lane]); });
+    return own == static_cast<T>(material);
+  }
+  const StencilCell<Dim>& stencil() const { return stencil_; } ///< of the first cell
+
+  /// Where a rank's points lie in their cells, each component in [0, 1).
+  [[gnu::always_inline]] std::array<Pack<T>, Dim> local_position(std::size_t rank) const {
+    std::array<Pack<T>, Dim> xi;
+    unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
+      Pack<Real> own =
+          state_.grid.scaled(load_lanes(&state_.particles.x[i][row(rank)]), i) - stencil_.corner[i];
+      if constexpr (i == 0) own -= lane_numbers<Real>();
+      xi[i] = std::experimental::static_simd_cast<Pack<T>>(own);
+    });
+    return xi;
+  }
+
+  /// By corner c, a nodal value at node c of each cell.
+  [[gnu::always_inline]] auto at_nodes(const ColumnOf<T>& nodes) const {
+    return [ from = nodes.data() + tile_.first_node, this ](std::size_t c)
+        __attribute__((always_inline)) {
+      return load_lanes(from + state_.grid.corner_offset[c]);
+    };
+  }
+
+ private:
+  const State<Dim, Shape>& state_;
+  const typename CellOrder<Dim, Shape::width>::Tile& tile_;
+  StencilCell<Dim> stencil_;
+  Pack<T> count_;
+};
 
 /// Calls visit(run, its number) for every run of active nodes, on all threads.
 template <int Dim, class Shape, class Visit>
@@ -101,10 +119,10 @@ void for_each_node_run(const State<Dim, Shape>& state, Visit&& visit) {
     visit(state.order.node_runs()[static_cast<std::size_t>(k)], static_cast<std::size_t>(k));
 }
 
-/// What the points of an occupied cell share in their shape functions.
+/// What the points of a cell share in their shape functions.
 template <int Dim, class Shape>
-StencilCell<Dim> stencil_cell(const State<Dim, Shape>& state, std::size_t slot) {
-  return StencilCell<Dim>(state.grid, state.order.place(slot).along, state.half_point);
+StencilCell<Dim> stencil_cell(const State<Dim, Shape>& state, const auto& cell) {
+  return StencilCell<Dim>(state.grid, cell.along, state.half_point);
 }
 
 /// Where row p lies in its cell, each component in [0, 1).
@@ -118,25 +136,13 @@ local_position(const State<Dim, Shape>& state, const std::type_identity_t<Stenci
   return xi;
 }
 
-/// Finds the values of the nodes that a cell reaches.
-template <int Dim, class Shape> class Corners {
- public:
-  explicit Corners(const State<Dim, Shape>& state) {
-    for (std::size_t line = 0; line < lines_.size(); ++line)
-      lines_[line] = state.grid.corner_offset[line * Shape::width];
-  }
-
-  /// By corner, of the cell with this lowest node.
-  [[gnu::always_inline]] auto of(const auto& nodes, int first_node) const {
-    return [from = nodes.data() + first_node, this](std::size_t corner) {
-      return from[lines_[corner / Shape::width] +
-                  static_cast<std::ptrdiff_t>(corner % Shape::width)];
-    };
-  }
-
- private:
-  std::array<std::ptrdiff_t, Shape::nodes / Shape::width> lines_;
-};
+/// By corner c, a nodal value at node c of a cell.
+template <int Dim, class Shape>
+auto at_nodes(const State<Dim, Shape>& state, const auto& cell, const auto& nodes) {
+  return [from = nodes.data() + cell.first_node, &state](std::size_t c) {
+    return from[state.grid.corner_offset[c]];
+  };
+}
 
 /// Shape functions at row p.
 template <int Dim, class Shape>
@@ -153,10 +159,10 @@ template <int Dim, class T> Real mean_stress(const Particles<Dim, T>& points, st
 
 /// Mean of a value of the rows in a cell, with their volumes before loading as weights.
 template <int Dim, class Shape, class Value>
-Real cell_mean(const State<Dim, Shape>& state, std::size_t slot, Value&& value) {
+Real cell_mean(const State<Dim, Shape>& state, const auto& cell, Value&& value) {
   Real sum = 0.0, weight = 0.0;
-  for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-    const std::size_t p = state.order.row(k);
+  for (std::size_t k = 0; k < cell.count; ++k) {
+    const std::size_t p = cell.row(k);
     sum += state.particles.V0[p] * value(p);
     weight += state.particles.V0[p];
   }

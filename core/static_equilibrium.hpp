@@ -39,7 +39,13 @@ template <int Dim, class Shape> class StaticEquilibrium {
  public:
   StaticEquilibrium(State<Dim, Shape>& state, const Walls<Dim>& walls,
                     const std::vector<MaterialModel>& materials)
-      : state_(state), materials_(materials), tau_(state.particles.size()) {
+      : state_(state), materials_(materials) {
+    std::size_t points = 0;
+    for (const Cell& cell : state.order.cells()) {
+      cells_.push_back({cell, points});
+      points += cell.count;
+    }
+    tau_.resize(points);
     number_unknowns(walls);
   }
 
@@ -60,16 +66,21 @@ template <int Dim, class Shape> class StaticEquilibrium {
     left = balance(stiffness, plastic);
     if (!(left <= plastic.tolerance)) refuse(left, plastic);
 
-    for (std::size_t k = 0; k < tau_.size(); ++k)
-      for (std::size_t i = 0; i < tau_[k].size(); ++i)
-        state_.particles.tau[i][state_.order.row(k)] =
-            static_cast<typename Shape::Number>(tau_[k][i]);
+    for (const OccupiedCell& cell : cells_)
+      for (std::size_t k = 0; k < cell.count; ++k)
+        for (std::size_t i = 0; i < tensor_size<Dim>; ++i)
+          state_.particles.tau[i][cell.row(k)] =
+              static_cast<typename Shape::Number>(tau_[cell.first_point + k][i]);
     return {unknowns_, iterations_, left};
   }
 
  private:
   using AtNodes = std::array<Vec<Dim>, Shape::nodes>; ///< of a cell
   using Unknowns = std::vector<Real>;
+  using Cell = typename CellOrder<Dim, Shape::width>::Cell;
+  struct OccupiedCell : Cell {
+    std::size_t first_point; ///< in tau_
+  };
 
   struct Rule {
     bool yields;
@@ -96,8 +107,8 @@ template <int Dim, class Shape> class StaticEquilibrium {
     Real sign = 0.0;
   };
 
-  const Unknown& unknown(std::size_t slot, std::size_t corner, std::size_t component) const {
-    const int node = state_.order.place(slot).first_node + state_.grid.corner_offset[corner];
+  const Unknown& unknown(const Cell& cell, std::size_t corner, std::size_t component) const {
+    const int node = cell.first_node + state_.grid.corner_offset[corner];
     return of_node_[static_cast<std::size_t>(node)][component];
   }
 
@@ -106,10 +117,10 @@ template <int Dim, class Shape> class StaticEquilibrium {
     std::vector<std::array<int, Dim>> number(nodes);
     for (auto& of_node : number) of_node.fill(-1);
     of_node_.resize(nodes);
-    for (std::size_t slot = 0; slot < state_.order.cells(); ++slot)
+    for (const OccupiedCell& cell : cells_)
       for (std::size_t c = 0; c < Shape::nodes; ++c)
         for (std::size_t i = 0; i < Dim; ++i) {
-          const int node = state_.order.place(slot).first_node + state_.grid.corner_offset[c];
+          const int node = cell.first_node + state_.grid.corner_offset[c];
           const auto [moves_with, sign] = walls.degree_of_freedom(node, i);
           if (sign == 0.0) continue;
           int& index = number[static_cast<std::size_t>(moves_with)][i];
@@ -118,46 +129,46 @@ template <int Dim, class Shape> class StaticEquilibrium {
         }
   }
 
-  AtNodes displacements(std::size_t slot, const Unknowns& q) const {
+  AtNodes displacements(const Cell& cell, const Unknowns& q) const {
     AtNodes u;
     for (std::size_t c = 0; c < Shape::nodes; ++c)
       for (std::size_t i = 0; i < Dim; ++i) {
-        const auto [index, sign] = unknown(slot, c, i);
+        const auto [index, sign] = unknown(cell, c, i);
         u[c][i] = sign == 0.0 ? 0.0 : sign * q[static_cast<std::size_t>(index)];
       }
     return u;
   }
 
-  void add_to_unknowns(std::size_t slot, const AtNodes& f, Unknowns& sums) const {
+  void add_to_unknowns(const Cell& cell, const AtNodes& f, Unknowns& sums) const {
     for (std::size_t c = 0; c < Shape::nodes; ++c)
       for (std::size_t i = 0; i < Dim; ++i)
-        if (const auto [index, sign] = unknown(slot, c, i); sign != 0.0)
+        if (const auto [index, sign] = unknown(cell, c, i); sign != 0.0)
           sums[static_cast<std::size_t>(index)] += sign * f[c][i];
   }
 
   /// At the points of a cell.
-  std::vector<Shape> shapes_in(std::size_t slot) const {
-    const StencilCell<Dim> cell = stencil_cell(state_, slot);
+  std::vector<Shape> shapes_in(const Cell& cell) const {
+    const StencilCell<Dim> stencil = stencil_cell(state_, cell);
     std::vector<Shape> shapes;
-    shapes.reserve(state_.order.end(slot) - state_.order.begin(slot));
-    for (std::size_t k = state_.order.begin(slot); k < state_.order.end(slot); ++k)
-      shapes.push_back(shape_at(state_, cell, state_.order.row(k)));
+    shapes.reserve(cell.count);
+    for (std::size_t k = 0; k < cell.count; ++k)
+      shapes.push_back(shape_at(state_, stencil, cell.row(k)));
     return shapes;
   }
 
   template <class BodyForce> void add_up_loads(BodyForce&& b) {
     loads_.assign(static_cast<std::size_t>(unknowns_), 0.0);
-    for (std::size_t slot = 0; slot < state_.order.cells(); ++slot) {
-      const std::vector<Shape> shapes = shapes_in(slot);
+    for (const OccupiedCell& cell : cells_) {
+      const std::vector<Shape> shapes = shapes_in(cell);
       AtNodes f = {};
       for (std::size_t k = 0; k < shapes.size(); ++k) {
-        const std::size_t p = state_.order.row(state_.order.begin(slot) + k);
+        const std::size_t p = cell.row(k);
         const Vec<Dim> b_p = b(p);
         for (std::size_t c = 0; c < Shape::nodes; ++c)
           for (std::size_t i = 0; i < Dim; ++i)
             f[c][i] += state_.particles.m[p] * b_p[i] * shapes[k].N[c];
       }
-      add_to_unknowns(slot, f, loads_);
+      add_to_unknowns(cell, f, loads_);
     }
   }
 
@@ -173,14 +184,13 @@ template <int Dim, class Shape> class StaticEquilibrium {
 
   /// Lets the stresses of a cell's points follow displacements of its nodes.  Returns their force
   /// on these, N.
-  AtNodes respond(std::size_t slot, const std::vector<Shape>& shapes, const AtNodes& u,
+  AtNodes respond(const Cell& cell, const std::vector<Shape>& shapes, const AtNodes& u,
                   std::span<SymTensor<Dim>> tau, bool yields) const {
-    const auto row = [&](std::size_t k) { return state_.order.row(state_.order.begin(slot) + k); };
     // What a point's value lacks to the mean of the cell, whose points come in order.
     const auto excess = [&](std::size_t k, auto&& value) {
       if (!state_.averages_volume) return 0.0;
       std::size_t next = 0;
-      return cell_mean(state_, slot, [&](std::size_t) { return value(next++); }) - value(k);
+      return cell_mean(state_, cell, [&](std::size_t) { return value(next++); }) - value(k);
     };
     std::vector<Mat<Dim>> e;
     e.reserve(shapes.size());
@@ -191,7 +201,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
       return sum;
     };
     for (std::size_t k = 0; k < shapes.size(); ++k) {
-      const MaterialModel& material = materials_[state_.particles.material[row(k)]];
+      const MaterialModel& material = materials_[state_.particles.material[cell.row(k)]];
       const auto update = [&](const auto& law) {
         Real gap = 0.0;
         update_stress<Dim, Real>(tau[k], gap, 0.0, e[k], excess(k, divergence), 1.0,
@@ -205,7 +215,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
 
     AtNodes f = {};
     for (std::size_t k = 0; k < shapes.size(); ++k) {
-      const Real V0 = state_.particles.V0[row(k)];
+      const Real V0 = state_.particles.V0[cell.row(k)];
       const Real pressure =
           excess(k, [&](std::size_t at) { return trace<Dim, Real>(tau[at]) * (1.0 / 3.0); });
       for (std::size_t i = 0; i < Dim; ++i)
@@ -220,19 +230,19 @@ template <int Dim, class Shape> class StaticEquilibrium {
 
   /// A column of a cell's stiffness is the force against one unit of displacement.
   void assemble(SparseSystem& stiffness) const {
-    for (std::size_t slot = 0; slot < state_.order.cells(); ++slot) {
-      const std::vector<Shape> shapes = shapes_in(slot);
+    for (const OccupiedCell& cell : cells_) {
+      const std::vector<Shape> shapes = shapes_in(cell);
       for (std::size_t c = 0; c < Shape::nodes; ++c)
         for (std::size_t i = 0; i < Dim; ++i) {
-          const Unknown& column = unknown(slot, c, i);
+          const Unknown& column = unknown(cell, c, i);
           if (column.sign == 0.0) continue;
           AtNodes u = {};
           u[c][i] = column.sign;
           std::vector<SymTensor<Dim>> tau(shapes.size(), SymTensor<Dim>{});
-          const AtNodes f = respond(slot, shapes, u, tau, false);
+          const AtNodes f = respond(cell, shapes, u, tau, false);
           for (std::size_t at = 0; at < Shape::nodes; ++at)
             for (std::size_t j = 0; j < Dim; ++j)
-              if (const Unknown& row = unknown(slot, at, j); row.sign != 0.0)
+              if (const Unknown& row = unknown(cell, at, j); row.sign != 0.0)
                 stiffness.add(row.index, column.index, -row.sign * f[at][j]);
         }
     }
@@ -241,15 +251,18 @@ template <int Dim, class Shape> class StaticEquilibrium {
 
   /// Lets all stresses follow, and finds what is then left of the loads.
   void follow(const Unknowns& q, bool yields) {
-    std::vector<AtNodes> forces(state_.order.cells());
-    for_each_cell(state_, [&](std::size_t slot) {
-      const std::size_t begin = state_.order.begin(slot), end = state_.order.end(slot);
-      forces[slot] = respond(slot, shapes_in(slot), displacements(slot, q),
-                             std::span(tau_).subspan(begin, end - begin), yields);
-    });
+    std::vector<AtNodes> forces(cells_.size());
+    const auto n = static_cast<std::int64_t>(cells_.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < n; ++k) {
+      const OccupiedCell& cell = cells_[static_cast<std::size_t>(k)];
+      forces[static_cast<std::size_t>(k)] =
+          respond(cell, shapes_in(cell), displacements(cell, q),
+                  std::span(tau_).subspan(cell.first_point, cell.count), yields);
+    }
     unbalanced_ = loads_;
-    for (std::size_t slot = 0; slot < forces.size(); ++slot) // in one order for any threads
-      add_to_unknowns(slot, forces[slot], unbalanced_);
+    for (std::size_t k = 0; k < cells_.size(); ++k) // in one order for any threads
+      add_to_unknowns(cells_[k], forces[k], unbalanced_);
   }
 
   /// Until what is left of the loads is within the tolerance, or would not be in time at the
@@ -284,6 +297,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
 
   State<Dim, Shape>& state_;
   const std::vector<MaterialModel>& materials_;
+  std::vector<OccupiedCell> cells_;
   std::vector<SymTensor<Dim>> tau_; ///< Pa, cell after cell
   std::vector<std::array<Unknown, Dim>> of_node_;
   int unknowns_ = 0;

@@ -88,32 +88,4 @@ template <int Dim, int width_, class T = Real> struct Stencil {
   }
 };
 
-/// The node in a lane of NodeLanes: x varies slowest there, so that the nodes which a cell does not
-/// share with the next one along x come first.
-constexpr std::size_t node_in_lane(std::size_t lane, std::size_t nodes, std::size_t width) {
-  const std::size_t lines = nodes / width;
-  return lane / lines + width * (lane % lines);
-}
-
-/// N and dN at one point, with a cell's nodes in the lanes of registers; dN in 1/cell.
-template <int Dim, int nodes, class T> struct StencilLanes {
-  NodeLanes<nodes, T> N;
-  std::array<NodeLanes<nodes, T>, Dim> dN;
-
-  /// Of the functions along the axes and their derivatives, at the nodes: w(axis), dw(axis).
-  template <class Functions, class Derivatives>
-  [[gnu::always_inline]] StencilLanes(const Functions& w, const Derivatives& dw) : N(w(0)) {
-    unrolled<Dim>([&](auto a) __attribute__((always_inline)) {
-      if constexpr (a > 0) N = N * w(a);
-      dN[a] = dw(a);
-      unrolled<Dim>([&](auto b) __attribute__((always_inline)) {
-        if constexpr (a != b) dN[a] = dN[a] * w(b);
-      });
-    });
-  }
-};
-
-/// Whether shape functions have `Lanes`, which the fast passes need.
-template <class Shape> inline constexpr bool has_lanes = requires { typename Shape::Lanes; };
-
 } // namespace scarp

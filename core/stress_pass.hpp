@@ -118,113 +118,98 @@ PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, 
   return update_stress<Dim, T>(tau, gap, T(0.0F), grad_v, T(0.0F), dt, moduli, law);
 }
 
-/// What the points of a block of cells feel, line after line.
-template <int Dim, class T> struct StrainRates {
-  BlockLines<Dim * Dim, T> grad_v; ///< 1/s, [Dim i + j] = d v_i / d x_j
-  BlockLines<1, T> dilation;       ///< 1/s, rate of volume beyond tr(grad_v)
-  BlockLines<1, T> fraction;       ///< -, if the law remembers gaps
-  BlockLines<Dim, T> velocity;     ///< m/s, if points move with the strain
-
-  void resize(std::size_t rows) {
-    grad_v.resize(rows);
-    dilation.resize(rows);
-    fraction.resize(rows);
-    velocity.resize(rows);
-  }
-};
-
-/// grad v = sum_I v_I (x) grad N_I at the points of a block.
-template <int Dim, class Shape, class T>
-void find_strain_rates(const State<Dim, Shape>& state, const CellBlock& block, bool opens,
-                       BlockLines<Dim, T>& xi, StrainRates<Dim, T>& rates) {
-  const Nodes<Dim, T>& nodes = state.nodal.nodes;
-  const Corners<Dim, Shape> corners(state);
-  xi.resize(block.size);
-  rates.resize(block.size);
-  for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
-    const std::array<Pack<T>, Dim> place = local_position(state, block.pack<T>(k));
-    for (std::size_t i = 0; i < Dim; ++i) store_lanes(place[i], xi[i] + k);
-  }
-
-  // Lanes beyond a cell's last point are written again with the next cell.
-  std::size_t begin = 0;
-  for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
-    const std::size_t end = begin + state.order.end(slot) - state.order.begin(slot);
-    const StencilCell<Dim> cell = stencil_cell(state, slot);
-    const int node = state.order.place(slot).first_node;
-    for (std::size_t k = begin; k < end; k += Pack<T>::size()) {
-      std::array<Pack<T>, Dim> place;
-      for (std::size_t i = 0; i < Dim; ++i) place[i] = load_lanes(xi[i] + k);
-      const auto along = Shape::along(place, cell);
-      for (std::size_t j = 0; j < Dim; ++j) {
-        auto functions = along.w;
-        functions[j] = along.dw[j];
-        for (std::size_t i = 0; i < Dim; ++i)
-          store_lanes(interpolate(functions, corners.of(nodes.v[i], node)),
-                      rates.grad_v[Dim * i + j] + k);
-      }
-      if (opens)
-        store_lanes(interpolate(along.w, corners.of(nodes.fraction, node)), rates.fraction[0] + k);
-      if (state.moves_with_strain)
-        for (std::size_t i = 0; i < Dim; ++i)
-          store_lanes(interpolate(along.w, corners.of(nodes.v[i], node)), rates.velocity[i] + k);
-    }
-
-    if (state.averages_volume) {
-      const auto own_rate = [&](std::size_t k) {
-        T sum = 0;
-        for (std::size_t i = 0; i < Dim; ++i) sum += rates.grad_v[Dim * i + i][k];
-        return sum;
-      };
-      T sum = 0, weight = 0;
-      for (std::size_t k = begin; k < end; ++k) {
-        const T V0 = state.particles.V0[block.rows[k]];
-        sum += V0 * own_rate(k);
-        weight += V0;
-      }
-      for (std::size_t k = begin; k < end; ++k) rates.dilation[0][k] = sum / weight - own_rate(k);
-    }
-    begin = end;
-  }
+/// grad v = sum_I v_I (x) grad N_I at the points of a rank; 0 in empty rows.
+template <int Dim, class Shape>
+[[gnu::always_inline]] inline Mat<Dim, Pack<typename Shape::Number>>
+velocity_gradients(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& tile,
+                   const auto& along, std::size_t rank) {
+  const auto empty = !tile.filled(rank);
+  Mat<Dim, Pack<typename Shape::Number>> grad_v;
+  unrolled<Dim>([&](auto j) __attribute__((always_inline)) {
+    auto functions = along.w;
+    functions[j] = along.dw[j];
+    unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
+      grad_v[i][j] = interpolate(functions, tile.at_nodes(state.nodal.nodes.v[i]));
+      where(empty, grad_v[i][j]) = 0.0F;
+    });
+  });
+  return grad_v;
 }
 
-/// Stresses of the points in a pack, whose rates begin at k.  Those of other materials, if there
-/// are any, stay.
-template <int Dim, bool opens, class T, class Law>
-[[gnu::always_inline]] inline void
-update_pack(Particles<Dim, T>& points, const RowPack<T>& rows, StrainRates<Dim, T>& rates,
-            std::size_t k, const typename Pack<T>::mask_type* of_others, bool averages, Real dt,
-            const ElasticModuli& moduli, const Law& law) {
-  const auto store = [&](Pack<T> values, ColumnOf<T>& column) {
-    if (of_others) where(*of_others, values) = rows.load(column);
-    rows.store(values, column);
-  };
-  const Pack<T> dilation = averages ? load_lanes(rates.dilation[0] + k) : Pack<T>(0.0F);
-  Pack<T> rate = dilation;
-  Mat<Dim, Pack<T>> grad_v;
-  unrolled<Dim>([&](auto i) {
-    unrolled<Dim>([&](auto j) { grad_v[i][j] = load_lanes(rates.grad_v[Dim * i + j] + k); });
-    rate += grad_v[i][i];
-  });
-  SymTensor<Dim, Pack<T>> tau;
-  unrolled<tensor_size<Dim>>([&](auto i) { tau[i] = rows.load(points.tau[i]); });
-  Pack<T> gap = 0.0F, room = 0.0F;
-  if constexpr (opens) {
-    gap = rows.load(points.gap);
-    room = max(1.0F / load_lanes(rates.fraction[0] + k) - 1.0F, Pack<T>(0.0F));
+/// By lane, the mean of the points' rates of volume in the cell: sum V0 tr(grad v) / sum V0.
+template <int Dim, class Shape>
+[[gnu::always_inline]] inline Pack<typename Shape::Number>
+mean_rate_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& tile) {
+  using T = typename Shape::Number;
+  Pack<T> sum = T(0), weight = T(0);
+  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
+    const auto along = Shape::along(tile.local_position(rank), tile.stencil());
+    const auto grad_v = velocity_gradients(state, tile, along, rank);
+    const Pack<T> V0 = load_lanes(&state.particles.V0[tile.row(rank)]);
+    for (std::size_t i = 0; i < Dim; ++i) sum += V0 * grad_v[i][i];
+    weight += V0;
   }
-  const PlasticStep<Pack<T>> plastic =
-      update_stress<Dim, Pack<T>>(tau, gap, room, grad_v, dilation, dt, moduli, law);
-  unrolled<tensor_size<Dim>>([&](auto i) { store(tau[i], points.tau[i]); });
-  Pack<T> J = rows.load(points.J) * (1.0F + number<T>(dt) * rate);
-  if (plastic.happened) {
-    if constexpr (opens) store(gap, points.gap);
-    store(rows.load(points.plastic_strain) + plastic.strain, points.plastic_strain);
-    store(rows.load(points.dissipation) + plastic.dissipation, points.dissipation);
-    // A gap that is not remembered is no volume of the material either: else it adds up for ever.
-    J /= 1.0F + plastic.forgotten;
+  where(weight == 0.0F, weight) = 1.0F;
+  return sum / weight;
+}
+
+/// The points of one material, which remembers gaps if it `opens`, in one tile.
+template <int Dim, bool opens, class Law, class Shape>
+void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile, std::uint8_t material,
+                 const ElasticModuli& moduli, const Law& law, Real dt) {
+  using T = typename Shape::Number;
+  Particles<Dim, T>& points = state.particles;
+  const TileLanes<Dim, Shape> tile(state, number_of_tile);
+  Pack<T> mean_rate = T(0);
+  if (state.averages_volume) mean_rate = mean_rate_of_cells(state, tile);
+  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
+    const std::size_t row = tile.row(rank);
+    const auto own = tile.filled(rank) && tile.of_material(rank, material);
+    if (none_of(own)) continue;
+    const auto store = [&](const Pack<T>& values, ColumnOf<T>& column)
+        __attribute__((always_inline)) {
+      Pack<T> all = load_lanes(&column[row]);
+      where(own, all) = values;
+      store_lanes(all, &column[row]);
+    };
+    const auto along = Shape::along(tile.local_position(rank), tile.stencil());
+    if (state.moves_with_strain)
+      unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
+        store(number<T>(dt) * interpolate(along.w, tile.at_nodes(state.nodal.nodes.v[i])),
+              points.dx[i]);
+      });
+    const Mat<Dim, Pack<T>> grad_v = velocity_gradients(state, tile, along, rank);
+    Pack<T> rate = T(0), dilation = T(0);
+    unrolled<Dim>([&](auto i) __attribute__((always_inline)) { rate += grad_v[i][i]; });
+    if (state.averages_volume) {
+      dilation = mean_rate - rate;
+      rate = mean_rate;
+    }
+    SymTensor<Dim, Pack<T>> tau;
+    unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
+      tau[i] = load_lanes(&points.tau[i][row]);
+    });
+    Pack<T> gap = T(0), room = T(0);
+    if constexpr (opens) {
+      gap = load_lanes(&points.gap[row]);
+      room = max(1.0F / interpolate(along.w, tile.at_nodes(state.nodal.nodes.fraction)) - 1.0F,
+                 Pack<T>(T(0)));
+    }
+    const PlasticStep<Pack<T>> plastic =
+        update_stress<Dim, Pack<T>>(tau, gap, room, grad_v, dilation, dt, moduli, law);
+    unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
+      store(tau[i], points.tau[i]);
+    });
+    Pack<T> growth = 1.0F + number<T>(dt) * rate;
+    if (plastic.happened) {
+      if constexpr (opens) store(gap, points.gap);
+      store(load_lanes(&points.plastic_strain[row]) + plastic.strain, points.plastic_strain);
+      store(load_lanes(&points.dissipation[row]) + plastic.dissipation, points.dissipation);
+      // A gap that is not remembered is no volume of the material either: else it adds up for ever.
+      if (any_of(plastic.forgotten > 0.0F)) growth /= 1.0F + plastic.forgotten;
+    }
+    store(load_lanes(&points.J[row]) * growth, points.J);
   }
-  store(J, points.J);
 }
 
 /// All points of one material (which remembers gaps, if it `opens`), with the nodes' present
@@ -232,44 +217,11 @@ update_pack(Particles<Dim, T>& points, const RowPack<T>& rows, StrainRates<Dim, 
 template <int Dim, class Law, class Shape>
 void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
                  const Law& law, bool opens, Real dt) {
-  using T = typename Shape::Number;
-  Particles<Dim, T>& points = state.particles;
-  const std::int64_t blocks = block_count(state);
-#pragma omp parallel
-  {
-    BlockLines<Dim, T> xi;
-    StrainRates<Dim, T> rates;
-#pragma omp for schedule(static)
-    for (std::int64_t b = 0; b < blocks; ++b) {
-      const CellBlock block = cell_block(state, b);
-      std::size_t own = 0;
-      for (std::size_t k = 0; k < block.size; ++k)
-        own += points.material[block.rows[k]] == material ? 1U : 0U;
-      if (own == 0) continue;
-      find_strain_rates(state, block, opens, xi, rates);
-      for (std::size_t k = 0; state.moves_with_strain && k < block.size;
-           k += RowPack<T>::capacity) {
-        const RowPack<T> rows = block.pack<T>(k);
-        for (std::size_t i = 0; i < Dim; ++i)
-          rows.store(number<T>(dt) * load_lanes(rates.velocity[i] + k), points.dx[i]);
-      }
-      const auto update = [&]<bool with_gaps>(std::bool_constant<with_gaps>) {
-        for (std::size_t k = 0; k < block.size; k += RowPack<T>::capacity) {
-          const RowPack<T> rows = block.pack<T>(k);
-          typename Pack<T>::mask_type others(false);
-          if (own < block.size)
-            for (std::size_t lane = 0; lane < rows.size(); ++lane)
-              others[lane] = points.material[block.rows[k + lane]] != material;
-          update_pack<Dim, with_gaps>(points, rows, rates, k, own < block.size ? &others : nullptr,
-                                      state.averages_volume, dt, moduli, law);
-        }
-      };
-      if (opens)
-        update(std::true_type());
-      else
-        update(std::false_type());
-    }
-  }
+  with_flag(opens, [&](auto with_gaps) {
+    for_each_tile(state, [&](std::size_t tile) {
+      stress_tile<Dim, with_gaps.value>(state, tile, material, moduli, law, dt);
+    });
+  });
 }
 
 } // namespace scarp

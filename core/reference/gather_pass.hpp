@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/affine.hpp"
-#include "core/reference/strips.hpp"
+#include "core/reference/tiles.hpp"
 #include "core/state.hpp"
 
 #include <algorithm>
@@ -25,65 +25,68 @@ Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
   const bool affine = state.particles.affine();
   Particles<Dim>& points = state.particles;
   Real fastest2 = 0.0;
-  const Corners<Dim, Shape> all_corners(state);
-  const std::int64_t blocks = block_count(state);
-#pragma omp parallel for schedule(static) reduction(max : fastest2)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    const CellBlock block = cell_block(state, b);
-    for (std::size_t slot = block.first_slot; slot < block.end_slot; ++slot) {
-      std::array<Vec<Dim>, corners> v_I;
-      std::array<Vec<Dim>, corners> dv_I;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        const auto v = all_corners.of(state.nodal.nodes.v[i], state.order.place(slot).first_node);
-        const auto dv = all_corners.of(state.nodal.nodes.dv[i], state.order.place(slot).first_node);
-        for (std::size_t c = 0; c < corners; ++c) {
-          v_I[c][i] = v(c);
-          dv_I[c][i] = dv(c);
-        }
+  const auto gather_cell = [&](const auto& cell) {
+    std::array<Vec<Dim>, corners> v_I;
+    std::array<Vec<Dim>, corners> dv_I;
+    for (std::size_t i = 0; i < Dim; ++i)
+      for (std::size_t c = 0; c < corners; ++c) {
+        v_I[c][i] = at_nodes(state, cell, state.nodal.nodes.v[i])(c);
+        dv_I[c][i] = at_nodes(state, cell, state.nodal.nodes.dv[i])(c);
       }
-      std::array<std::array<Real, corners>, Dim> mv_I = {};
-      const StencilCell<Dim> cell = stencil_cell(state, slot);
+    std::array<std::array<Real, corners>, Dim> mv_I = {};
+    const StencilCell<Dim> stencil = stencil_cell(state, cell);
 
-      for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-        const std::size_t p = state.order.row(k);
-        const Shape shape = shape_at(state, cell, p);
-        Vec<Dim> v_grid = {};
-        Vec<Dim> dv_grid = {};
-        for (std::size_t c = 0; c < corners; ++c) {
-          for (std::size_t i = 0; i < Dim; ++i) {
-            v_grid[i] += shape.N[c] * v_I[c][i];
-            dv_grid[i] += shape.N[c] * dv_I[c][i];
-          }
-        }
-        Vec<Dim> v_p;
-        Real v2 = 0.0, v_grid2 = 0.0;
+    Real fastest2_of_cell = 0.0;
+    for (std::size_t k = 0; k < cell.count; ++k) {
+      const std::size_t p = cell.row(k);
+      const Shape shape = shape_at(state, stencil, p);
+      Vec<Dim> v_grid = {};
+      Vec<Dim> dv_grid = {};
+      for (std::size_t c = 0; c < corners; ++c) {
         for (std::size_t i = 0; i < Dim; ++i) {
-          v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
-          points.v[i][p] = v_p[i];
-          if (!state.moves_with_strain) points.dx[i][p] = dt * v_grid[i];
-          v2 += v_p[i] * v_p[i];
-          v_grid2 += v_grid[i] * v_grid[i];
-        }
-        Real speed = std::sqrt(std::max(v2, v_grid2));
-        if (affine) {
-          gather_affine<Dim>(points, v_I, shape, local_position(state, cell, p), cell, p);
-          Real C2 = 0.0;
-          for (const Column& C : points.C) C2 += C[p] * C[p];
-          speed += 0.5 * state.grid.h * std::sqrt(C2);
-        }
-        fastest2 = std::max(fastest2, speed * speed);
-        if constexpr (remap) {
-          if (affine)
-            add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, cell, p), cell, p);
-          const Real m = points.m[p];
-          for (std::size_t c = 0; c < corners; ++c)
-            for (std::size_t i = 0; i < Dim; ++i) mv_I[i][c] += m * v_p[i] * shape.N[c];
+          v_grid[i] += shape.N[c] * v_I[c][i];
+          dv_grid[i] += shape.N[c] * dv_I[c][i];
         }
       }
-      if constexpr (remap)
-        for (std::size_t i = 0; i < Dim; ++i)
-          add_to_strip<Shape>(state, slot, mv_I[i], state.nodal.sums.mv[i]);
+      Vec<Dim> v_p;
+      Real v2 = 0.0, v_grid2 = 0.0;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
+        points.v[i][p] = v_p[i];
+        if (!state.moves_with_strain) points.dx[i][p] = dt * v_grid[i];
+        v2 += v_p[i] * v_p[i];
+        v_grid2 += v_grid[i] * v_grid[i];
+      }
+      Real speed = std::sqrt(std::max(v2, v_grid2));
+      if (affine) {
+        gather_affine<Dim>(points, v_I, shape, local_position(state, stencil, p), stencil, p);
+        Real C2 = 0.0;
+        for (const Column& C : points.C) C2 += C[p] * C[p];
+        speed += 0.5 * state.grid.h * std::sqrt(C2);
+      }
+      fastest2_of_cell = std::max(fastest2_of_cell, speed * speed);
+      if constexpr (remap) {
+        if (affine)
+          add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, stencil, p), stencil,
+                                   p);
+        const Real m = points.m[p];
+        for (std::size_t c = 0; c < corners; ++c)
+          for (std::size_t i = 0; i < Dim; ++i) mv_I[i][c] += m * v_p[i] * shape.N[c];
+      }
     }
+    if constexpr (remap)
+      for (std::size_t i = 0; i < Dim; ++i)
+        add_to_tile<Dim, Shape>(cell, mv_I[i], state.nodal.sums.mv[i]);
+    return fastest2_of_cell;
+  };
+  const auto tiles = static_cast<std::int64_t>(state.order.tiles().size());
+#pragma omp parallel for schedule(static) reduction(max : fastest2)
+  for (std::int64_t k = 0; k < tiles; ++k) {
+    const auto tile = static_cast<std::size_t>(k);
+    if constexpr (remap)
+      for (auto& sums : state.nodal.sums.mv) clear_tile<Dim, Shape>(tile, sums);
+    for_each_cell_of(state, tile,
+                     [&](const auto& cell) { fastest2 = std::max(fastest2, gather_cell(cell)); });
   }
   return std::sqrt(fastest2);
 }

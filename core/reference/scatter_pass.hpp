@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/affine.hpp"
-#include "core/reference/strips.hpp"
+#include "core/reference/tiles.hpp"
 #include "core/state.hpp"
 #include "core/transfer.hpp"
 
@@ -20,24 +20,24 @@ template <int Dim, Terms terms, class Shape>
 void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_force = {}) {
   constexpr bool momentum = terms != Terms::force;
   constexpr bool force = terms != Terms::mass_momentum;
-  using Lines = typename StripSums<Dim, Shape>::Lines;
-  StripSums<Dim, Shape>& sums = state.nodal.sums;
-  sums.resize(state.order.entries(), state.nodal.tracks_fraction);
+  using Lines = typename TileSums<Dim, Shape>::Lines;
+  TileSums<Dim, Shape>& sums = state.nodal.sums;
+  sums.resize(state.order, state.nodal.tracks_fraction);
   const Particles<Dim>& points = state.particles;
   [[maybe_unused]] const bool tracks_fraction = state.nodal.tracks_fraction;
   [[maybe_unused]] const bool affine = points.affine();
 
-  for_each_cell(state, [&](std::size_t slot) {
+  const auto scatter_cell = [&](const auto& cell) {
     CellTile<Dim, Shape::nodes> tile = {};
-    const StencilCell<Dim> cell = stencil_cell(state, slot);
+    const StencilCell<Dim> stencil = stencil_cell(state, cell);
     [[maybe_unused]] const Real mean_of_cell =
         force && state.averages_volume
-            ? cell_mean(state, slot, [&](std::size_t p) { return mean_stress(points, p); })
+            ? cell_mean(state, cell, [&](std::size_t p) { return mean_stress(points, p); })
             : 0.0;
 
-    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-      const std::size_t p = state.order.row(k);
-      const Shape shape = shape_at(state, cell, p);
+    for (std::size_t k = 0; k < cell.count; ++k) {
+      const std::size_t p = cell.row(k);
+      const Shape shape = shape_at(state, stencil, p);
       [[maybe_unused]] const Real m = points.m[p];
       [[maybe_unused]] const Real V0 = points.V0[p];
       Vec<Dim> mv;
@@ -60,7 +60,8 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
               tile.f[i][c] += m * own_force[points.region[p]][i] * shape.N[c];
       if constexpr (momentum)
         if (affine)
-          add_affine_momentum<Dim>(tile.mv, points, shape, local_position(state, cell, p), cell, p);
+          add_affine_momentum<Dim>(tile.mv, points, shape, local_position(state, stencil, p),
+                                   stencil, p);
       for (std::size_t c = 0; c < shape.nodes; ++c) {
         if constexpr (momentum) {
           if (tracks_fraction) tile.V0[c] += V0 * shape.N[c];
@@ -74,7 +75,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
       }
     }
     const auto add = [&](const std::array<Real, Shape::nodes>& of_cell, Lines& to) {
-      add_to_strip<Shape>(state, slot, of_cell, to);
+      add_to_tile<Dim, Shape>(cell, of_cell, to);
     };
     if constexpr (momentum) {
       add(tile.m, sums.m);
@@ -83,6 +84,16 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
     }
     if constexpr (force)
       for (std::size_t i = 0; i < Dim; ++i) add(tile.f[i], sums.f[i]);
+  };
+  for_each_tile(state, [&](std::size_t tile) {
+    if constexpr (momentum) {
+      clear_tile<Dim, Shape>(tile, sums.m);
+      if (tracks_fraction) clear_tile<Dim, Shape>(tile, sums.V0);
+      for (std::size_t i = 0; i < Dim; ++i) clear_tile<Dim, Shape>(tile, sums.mv[i]);
+    }
+    if constexpr (force)
+      for (std::size_t i = 0; i < Dim; ++i) clear_tile<Dim, Shape>(tile, sums.f[i]);
+    for_each_cell_of(state, tile, scatter_cell);
   });
 }
 

@@ -7,12 +7,11 @@ namespace scarp::reference {
 
 /// grad v = sum_I v_I (x) grad N_I.
 template <int Dim, class Shape>
-Mat<Dim> velocity_gradient(const State<Dim, Shape>& state, std::size_t slot, std::size_t p) {
-  const Shape shape = shape_at(state, stencil_cell(state, slot), p);
-  const Corners<Dim, Shape> corners(state);
+Mat<Dim> velocity_gradient(const State<Dim, Shape>& state, const auto& cell, std::size_t p) {
+  const Shape shape = shape_at(state, stencil_cell(state, cell), p);
   Mat<Dim> grad_v = {};
   for (std::size_t i = 0; i < Dim; ++i) {
-    const auto v = corners.of(state.nodal.nodes.v[i], state.order.place(slot).first_node);
+    const auto v = at_nodes(state, cell, state.nodal.nodes.v[i]);
     for (std::size_t c = 0; c < Shape::nodes; ++c)
       for (std::size_t j = 0; j < Dim; ++j) grad_v[i][j] += v(c) * shape.dN[c][j];
   }
@@ -23,25 +22,22 @@ template <int Dim, class Law, class Shape>
 void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
                  const Law& law, bool opens, Real dt) {
   Particles<Dim>& points = state.particles;
-  for_each_cell(state, [&](std::size_t slot) {
+  const auto update_cell = [&](const auto& cell) {
     const auto divergence = [&](std::size_t p) {
-      const Mat<Dim> grad_v = velocity_gradient(state, slot, p);
+      const Mat<Dim> grad_v = velocity_gradient(state, cell, p);
       Real sum = 0.0;
       for (std::size_t i = 0; i < Dim; ++i) sum += grad_v[i][i];
       return sum;
     };
-    const Real mean_rate = state.averages_volume ? cell_mean(state, slot, divergence) : 0.0;
-    const Corners<Dim, Shape> corners(state);
-    const auto at_nodes = [&](const Column& values) {
-      return corners.of(values, state.order.place(slot).first_node);
-    };
-    for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-      const std::size_t p = state.order.row(k);
+    const Real mean_rate = state.averages_volume ? cell_mean(state, cell, divergence) : 0.0;
+    for (std::size_t k = 0; k < cell.count; ++k) {
+      const std::size_t p = cell.row(k);
       if (points.material[p] != material) continue;
-      const Shape shape = shape_at(state, stencil_cell(state, slot), p);
+      const Shape shape = shape_at(state, stencil_cell(state, cell), p);
       const auto interpolated = [&](const Column& values) {
         Real sum = 0.0;
-        for (std::size_t c = 0; c < Shape::nodes; ++c) sum += shape.N[c] * at_nodes(values)(c);
+        for (std::size_t c = 0; c < Shape::nodes; ++c)
+          sum += shape.N[c] * at_nodes(state, cell, values)(c);
         return sum;
       };
       if (state.moves_with_strain)
@@ -56,14 +52,15 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       SymTensor<Dim> tau;
       for (std::size_t i = 0; i < tau.size(); ++i) tau[i] = points.tau[i][p];
       const PlasticStep<> plastic = update_stress<Dim, Real>(
-          tau, gap, room, velocity_gradient(state, slot, p), dilation, dt, moduli, law);
+          tau, gap, room, velocity_gradient(state, cell, p), dilation, dt, moduli, law);
       for (std::size_t i = 0; i < tau.size(); ++i) points.tau[i][p] = tau[i];
       if (opens) points.gap[p] = gap;
       points.plastic_strain[p] += plastic.strain;
       points.dissipation[p] += plastic.dissipation;
       points.J[p] *= (1.0 + dt * (divergence(p) + dilation)) / (1.0 + plastic.forgotten);
     }
-  });
+  };
+  for_each_tile(state, [&](std::size_t tile) { for_each_cell_of(state, tile, update_cell); });
 }
 
 } // namespace scarp::reference

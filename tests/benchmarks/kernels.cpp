@@ -9,6 +9,7 @@
 #include "core/spline_shape.hpp"
 #include "core/stress_pass.hpp"
 #include "core/walls.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <benchmark/benchmark.h>
@@ -76,7 +77,7 @@ template <int Dim, class Shape> struct Passes {
       remap_velocity_pass(state, walls, dt);
       update_stress();
       for (std::size_t i = 0; i < Dim; ++i)
-        for (std::size_t p = 0; p < state.particles.size(); ++p)
+        for (const std::size_t p : test::rows_of(state.particles))
           state.particles.x[i][p] += state.particles.dx[i][p];
     }
     state.order.update(state.particles);
@@ -89,7 +90,8 @@ template <int Dim, class Shape> struct Passes {
 /// Measures one pass, again and again on the same block.
 template <class AllPasses, void (AllPasses::*pass)()> void pass_of(benchmark::State& loop) {
   const auto passes = std::make_unique<AllPasses>();
-  if (passes->state.particles.size() != block_points) loop.SkipWithError("not 12 800 points");
+  if (test::rows_of(passes->state.particles).size() != block_points)
+    loop.SkipWithError("not 12 800 points");
   for (auto _ : loop) {
     ((*passes).*pass)();
     benchmark::ClobberMemory();

@@ -82,7 +82,7 @@ inline std::vector<double> component_of(const std::vector<double>& values, std::
   return column;
 }
 
-inline double sum(const std::vector<double>& values) {
+inline double sum(const auto& values) {
   double total = 0.0;
   for (const double value : values) total += value;
   return total;

@@ -141,8 +141,8 @@ TEST(Clip, PiecesAddUpToTheWhole) {
 TEST(FillRegions, Box) {
   const auto points =
       fill_regions<2>(scene_of({box("b", "rock", {0, 0}, {2, 1}, {3.0, 7.0, -4.0})}));
-  ASSERT_EQ(points.size(), 32U);
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  ASSERT_EQ(points.rows(), 32U);
+  for (std::size_t p = 0; p < points.rows(); ++p) {
     EXPECT_NEAR(points.x[0][p], 0.125 + 0.25 * static_cast<double>(p % 8), 1e-15);
     EXPECT_NEAR(points.x[1][p], 0.125 + 0.25 * static_cast<double>(p / 8), 1e-15);
     EXPECT_EQ(points.V0[p], 0.0625);
@@ -161,9 +161,9 @@ TEST(FillRegions, FaceAt45Degrees) {
   const auto points =
       fill_regions<2>(scene_of({polygon_region("slope", "rock", {{0, 0}, {1, 0}, {0, 1}})}));
   const double a = 0.25;
-  ASSERT_EQ(points.size(), 10U) << "6 whole squares and 4 triangles";
+  ASSERT_EQ(points.rows(), 10U) << "6 whole squares and 4 triangles";
   int triangles = 0;
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  for (std::size_t p = 0; p < points.rows(); ++p) {
     const double i = std::floor(points.x[0][p] / a), k = std::floor(points.x[1][p] / a);
     const bool cut = i + k == 3.0;
     triangles += cut;
@@ -195,7 +195,7 @@ TEST(FillRegions, MassAndCentreOfAnyPolygon) {
       EXPECT_NEAR(sum(points.m), 900.0 * std::abs(whole.area), 1e-9);
       for (std::size_t a = 0; a < 2; ++a) {
         double moment = 0.0;
-        for (std::size_t p = 0; p < points.size(); ++p) moment += points.V0[p] * points.x[a][p];
+        for (std::size_t p = 0; p < points.rows(); ++p) moment += points.V0[p] * points.x[a][p];
         EXPECT_NEAR(moment, std::abs(whole.area) * whole.centroid[a], 1e-12);
       }
       std::reverse(polygon.begin(), polygon.end());
@@ -209,7 +209,7 @@ TEST(FillRegions, PartialDepth) {
   Scene scene = scene_of({box("b", "rock", {0, 0}, {0.5, 0.25}, {1.0, 2.0, 3.0}, {0.1, 0.6})});
   scene.grid = grid_3d(0.5, {-1.0, 0.0, -1.0}, {3.0, 1.0, 3.0});
   const auto points = fill_regions<3>(scene);
-  ASSERT_EQ(points.size(), 6U);
+  ASSERT_EQ(points.rows(), 6U);
   const std::array<double, 3> centre = {0.175, 0.375, 0.55};
   const std::array<double, 3> thickness = {0.15, 0.25, 0.1};
   for (std::size_t p = 0; p < 6; ++p) {
@@ -229,7 +229,7 @@ TEST(FillRegions, RegionsSideBySide) {
                                 polygon_region("left", "ice", {{0, 0.5}, {1, 0.5}, {0, 1.5}}),
                                 polygon_region("right", "rock", {{1, 0.5}, {1, 1.5}, {0, 1.5}})}));
   std::array<double, 3> mass = {0, 0, 0};
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  for (std::size_t p = 0; p < points.rows(); ++p) {
     mass[points.region[p]] += points.m[p];
     EXPECT_EQ(points.material[p], points.region[p] == 1 ? 1 : 0);
   }

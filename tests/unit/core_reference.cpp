@@ -10,6 +10,7 @@
 #include "core/scatter_pass.hpp"
 #include "core/spline_shape.hpp"
 #include "core/stress_pass.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine)
                        0.5 * state->grid.cells[i] * (p % 4 == 0 ? part : part * part * part);
     }
   };
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  for (const std::size_t p : rows_of(points)) {
     anywhere(p);
     for (auto& component : points.v) component[p] = between(-1.0, 1.0);
     for (auto& component : points.tau) component[p] = between(-1.0, 1.0);
@@ -62,7 +63,9 @@ std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine)
     points.region[p] = p % 2;
   }
   state->order.update(points);
-  for (std::size_t p = 0; p < points.size(); p += 41) anywhere(p);
+  int count = 0;
+  for (const std::size_t p : rows_of(points))
+    if (count++ % 41 == 0) anywhere(p);
   state->order.update(points);
   auto& nodes = state->nodal.nodes;
   for (std::size_t n = 0; n < nodes.m.size(); ++n) {

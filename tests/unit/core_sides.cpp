@@ -6,6 +6,7 @@
 #include "core/stress_pass.hpp"
 #include "core/time_step.hpp"
 #include "tests/support/nodes.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -183,8 +184,8 @@ TEST(Sides, UniformStrainIsKept) {
     Body<2> body(scene);
     Particles<2>& points = body.state.particles;
     if (affine)
-      for (Column& column : points.C) column.assign(points.size(), 0.0);
-    for (std::size_t p = 0; p < points.size(); ++p) {
+      for (Column& column : points.C) column.assign(points.rows(), 0.0);
+    for (const std::size_t p : rows_of(points)) {
       points.v[0][p] = a * points.x[0][p];
       if (affine) points.C[0][p] = a;
     }

@@ -8,6 +8,7 @@
 #include "core/spline_shape.hpp"
 #include "core/stress_pass.hpp"
 #include "tests/support/nodes.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ template <class Tested> class Transfer : public testing::Test {
 
   Transfer() : walls(scene(), state.grid), random(99) {
     auto& points = state.particles;
-    for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const std::size_t p : rows_of(points)) {
       for (std::size_t i = 0; i < dim; ++i) {
         points.x[i][p] = state.grid.lower[i] + h * somewhere(state.grid.cells[i]);
         points.v[i][p] = random.between(-1.0, 1.0);
@@ -177,7 +178,7 @@ template <class Tested> class Transfer : public testing::Test {
 
   Vec<dim> momentum_of_points() const {
     Vec<dim> total = {};
-    for (std::size_t p = 0; p < state.particles.size(); ++p)
+    for (const std::size_t p : rows_of(state.particles))
       for (std::size_t i = 0; i < dim; ++i)
         total[i] += state.particles.m[p] * state.particles.v[i][p];
     return total;
@@ -213,7 +214,7 @@ TYPED_TEST(Transfer, NodesHoldTheSumsOfTheTextbook) {
   for (int index = 0; index < this->state.grid.node_count; ++index) {
     double m = 0.0;
     Vec<Dim> mv = {}, f = {};
-    for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const std::size_t p : rows_of(points)) {
       Vec<Dim> dN;
       const double N = this->hat(index, p, &dN);
       if (N == 0.0 && Vec<Dim>{} == dN) continue;
@@ -306,7 +307,7 @@ TYPED_TEST(Transfer, ForceIsAdjointToTheGradient) {
   }
   double stress_power = 0.0;
   const auto& points = this->state.particles;
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (const std::size_t p : rows_of(points))
     for (int index = 0; index < this->state.grid.node_count; ++index) {
       Vec<Dim> dN;
       this->hat(index, p, &dN);
@@ -333,7 +334,7 @@ TYPED_TEST(Transfer, ForceIsAdjointToTheGradient) {
   };
   const auto forth = strain_during(e), back = strain_during(-e);
   double strain_power = 0.0;
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (const std::size_t p : rows_of(points))
     for (std::size_t i = 0; i < tau.size(); ++i)
       strain_power +=
           points.V0[p] * (i < 3 ? 1.0 : 2.0) * tau[i][p] * (forth[i][p] - back[i][p]) / (2.0 * e);
@@ -351,7 +352,7 @@ TYPED_TEST(Transfer, ForceIsMinusTheGradientOfTheEnergy) {
     const auto energy = [&] { // psi = sigma_m^2 / 2K + s:s / 4G
       double total = 0.0;
       const auto& points = this->state.particles;
-      for (std::size_t p = 0; p < points.size(); ++p) {
+      for (const std::size_t p : rows_of(points)) {
         const double mean = (points.tau[0][p] + points.tau[1][p] + points.tau[2][p]) / 3.0;
         double s2 = 0.0;
         for (std::size_t i = 0; i < points.tau.size(); ++i) {
@@ -398,10 +399,9 @@ TYPED_TEST(Transfer, CellAveragesOfTheVolumeRate) {
   std::fill(this->state.particles.J.begin(), this->state.particles.J.end(), 1.0);
   this->state.averages_volume = true;
   strain_points(this->state, 0, moduli, 0.01);
-  for (std::size_t slot = 0; slot < this->state.order.cells(); ++slot) {
-    const double mean = cell_mean(this->state, slot, [&](std::size_t p) { return own[p]; });
-    for (std::size_t k = this->state.order.begin(slot); k < this->state.order.end(slot); ++k)
-      EXPECT_NEAR(points.J[this->state.order.row(k)], mean, 1e-14);
+  for (const auto& cell : this->state.order.cells()) {
+    const double mean = cell_mean(this->state, cell, [&](std::size_t p) { return own[p]; });
+    for (std::size_t k = 0; k < cell.count; ++k) EXPECT_NEAR(points.J[cell.row(k)], mean, 1e-14);
   }
   static_assert(Dim == 2 || Dim == 3);
 }
@@ -415,8 +415,8 @@ TYPED_TEST(Transfer, AffineTransfersKeepALinearField) {
   for (auto& row : A)
     for (Real& entry : row) entry = this->random.between(-1.0, 1.0);
   for (std::size_t i = 0; i < Dim; ++i)
-    for (std::size_t j = 0; j < Dim; ++j) points.C[Dim * i + j].assign(points.size(), A[i][j]);
-  for (std::size_t p = 0; p < points.size(); ++p)
+    for (std::size_t j = 0; j < Dim; ++j) points.C[Dim * i + j].assign(points.rows(), A[i][j]);
+  for (const std::size_t p : rows_of(points))
     for (std::size_t i = 0; i < Dim; ++i) {
       points.v[i][p] = 0.7;
       for (std::size_t j = 0; j < Dim; ++j) points.v[i][p] += A[i][j] * points.x[j][p];
@@ -433,7 +433,7 @@ TYPED_TEST(Transfer, AffineTransfersKeepALinearField) {
       EXPECT_NEAR(this->node(at).v[i], expected, 1e-8);
     }
   }
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (const std::size_t p : rows_of(points))
     for (std::size_t i = 0; i < Dim; ++i) {
       EXPECT_NEAR(points.v[i][p], v[i][p], 1e-9);
       for (std::size_t j = 0; j < Dim; ++j) EXPECT_NEAR(points.C[Dim * i + j][p], A[i][j], 1e-6);
@@ -465,7 +465,7 @@ TYPED_TEST(Transfer, AffineTransfersKeepAngularMomentum) {
   };
   const double scale = sum(points.m);
   EXPECT_GT(change(), 1e-6 * scale) << "PIC";
-  for (Column& column : points.C) column.assign(points.size(), 0.0);
+  for (Column& column : points.C) column.assign(points.rows(), 0.0);
   EXPECT_LT(change(), 1e-12 * scale) << "APIC";
 }
 
@@ -480,12 +480,13 @@ TYPED_TEST(Transfer, VolumeFollowsTheDivergence) {
   }
   const Real step = 1.0 + 0.01 * (0.3 + 0.1 * (Dim - 1));
   strain_points(this->state, 0, ElasticModuli{1.0, 1.0}, 0.01);
-  for (const Real J : this->state.particles.J) EXPECT_NEAR(J, step, 1e-14);
+  const auto& points = this->state.particles;
+  for (const std::size_t p : rows_of(points)) EXPECT_NEAR(points.J[p], step, 1e-14);
   strain_points(this->state, 0, ElasticModuli{1.0, 1.0}, 0.01);
-  for (const Real J : this->state.particles.J) EXPECT_NEAR(J, step * step, 1e-14);
+  for (const std::size_t p : rows_of(points)) EXPECT_NEAR(points.J[p], step * step, 1e-14);
   strain_points(this->state, 1, ElasticModuli{1.0, 1.0}, 0.01);
-  for (const Real J : this->state.particles.J)
-    EXPECT_NEAR(J, step * step, 1e-14) << "of another material";
+  for (const std::size_t p : rows_of(points))
+    EXPECT_NEAR(points.J[p], step * step, 1e-14) << "of another material";
 }
 
 TYPED_TEST(Transfer, UniformVelocityStays) {
@@ -498,7 +499,7 @@ TYPED_TEST(Transfer, UniformVelocityStays) {
     this->scatter_all();
     const Real fastest = gather_pass<Dim, false>(this->state, flip, this->dt);
     for (std::size_t i = 0; i < Dim; ++i)
-      for (std::size_t p = 0; p < points.size(); ++p) {
+      for (const std::size_t p : rows_of(points)) {
         EXPECT_NEAR(points.v[i][p], 1.0 + static_cast<double>(i), 1e-14);
         EXPECT_NEAR(points.dx[i][p], this->dt * (1.0 + static_cast<double>(i)), 1e-15);
       }
@@ -539,7 +540,7 @@ TYPED_TEST(Transfer, BlendOfFlipAndPic) {
   const Real flip = 0.7;
   gather_pass<Dim, false>(this->state, flip, this->dt);
   const auto& points = this->state.particles;
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  for (const std::size_t p : rows_of(points)) {
     Vec<Dim> v = {}, dv = {};
     for (int index = 0; index < this->state.grid.node_count; ++index) {
       const double N = this->hat(index, p);
@@ -566,7 +567,7 @@ TYPED_TEST(Transfer, RemapGivesTheNewMomenta) {
   for (const int at : active_nodes(this->state)) {
     double m = 0.0;
     Vec<Dim> mv = {};
-    for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const std::size_t p : rows_of(points)) {
       const double N = this->hat(at, p);
       m += points.m[p] * N;
       for (std::size_t i = 0; i < Dim; ++i) mv[i] += points.m[p] * points.v[i][p] * N;
@@ -577,42 +578,54 @@ TYPED_TEST(Transfer, RemapGivesTheNewMomenta) {
   }
 }
 
-/// Points that wander stay in their cells' lists,
-/// whether or not the columns have been put in order.
+/// Points that wander stay in their cells' rows, with all their state,
+/// whether tiles grow one by one or all rows are put in order.
 TYPED_TEST(Transfer, OrderFollowsWanderingPoints) {
   constexpr int Dim = TypeParam::value;
-  std::vector<double> first_mass(this->state.particles.size());
-  for (std::size_t p = 0; p < first_mass.size(); ++p)
-    first_mass[this->state.particles.id[p]] = this->state.particles.m[p];
-  for (int round = 0; round < 30; ++round) {
-    auto& points = this->state.particles;
-    const double part = round % 3 == 0 ? 0.01 : 0.2; // of the points, to move
-    for (std::size_t p = 0; p < points.size(); ++p)
+  auto& points = this->state.particles;
+  std::vector<double> first_mass;
+  for (const std::size_t p : rows_of(points)) {
+    if (first_mass.size() <= points.id[p]) first_mass.resize(points.id[p] + 1);
+    first_mass[points.id[p]] = points.m[p];
+  }
+  std::size_t put_in_order = 0;
+  for (int round = 0; round < 60; ++round) {
+    const double part = round % 3 == 0 ? 0.01 : round % 20 == 1 ? 0.5 : 0.05; // to move
+    for (const std::size_t p : rows_of(points))
       if (this->random.between(0.0, 1.0) < part)
         for (std::size_t i = 0; i < Dim; ++i)
           points.x[i][p] = this->state.grid.lower[i] +
                            this->h * this->state.grid.cells[i] * this->random.between(0.0, 0.999);
+    const std::size_t rows = points.rows();
     this->state.order.update(points);
+    put_in_order += points.rows() < rows;
 
-    std::vector<int> seen(points.size(), 0);
-    int last = -1;
-    for (std::size_t slot = 0; slot < this->state.order.cells(); ++slot) {
-      EXPECT_GT(this->state.order.cell(slot), last);
-      last = this->state.order.cell(slot);
-      EXPECT_GT(this->state.order.end(slot), this->state.order.begin(slot));
-      for (std::size_t k = this->state.order.begin(slot); k < this->state.order.end(slot); ++k) {
-        const std::size_t p = this->state.order.row(k);
-        EXPECT_EQ(this->state.grid.cell_of(points.position(p)), this->state.order.cell(slot));
+    std::vector<int> seen(first_mass.size(), 0);
+    for (const auto& cell : this->state.order.cells()) {
+      EXPECT_GT(cell.count, 0U);
+      EXPECT_EQ(cell.first_node, this->state.grid.first_node(cell.along));
+      for (std::size_t k = 0; k < cell.count; ++k) {
+        const std::size_t p = cell.row(k);
+        EXPECT_EQ(this->state.grid.along(this->state.grid.cell_of(points.position(p))), cell.along);
+        ASSERT_LT(points.id[p], seen.size());
         EXPECT_EQ(points.m[p], first_mass[points.id[p]]) << "all columns move together";
-        ++seen[p];
+        ++seen[points.id[p]];
       }
     }
     for (const int times : seen) EXPECT_EQ(times, 1);
+    EXPECT_EQ(rows_of(points).size(), seen.size());
+    for (std::size_t p = 0; p < points.rows(); ++p)
+      if (points.id[p] == no_point) {
+        EXPECT_EQ(points.m[p], 0.0);
+        EXPECT_EQ(points.V0[p], 0.0);
+        EXPECT_EQ(points.J[p], 1.0);
+      }
     this->scatter_all();
     double m = 0.0;
     for (const int at : active_nodes(this->state)) m += this->node(at).m;
     EXPECT_NEAR(m, sum(points.m), 1e-13 * m) << "every node of an occupied cell is active";
   }
+  EXPECT_GT(put_in_order, 0U);
 }
 
 /// The mapping to the nodes keeps angular momentum, since sum_I N_I x_I = x; and since tau is
@@ -631,7 +644,7 @@ TYPED_TEST(Transfer, AngularMomentumAndTorque) {
     torque += x[z] * node.f[0] - x[0] * node.f[z];
     size += std::abs(x[z] * node.f[0]) + std::abs(x[0] * node.f[z]);
   }
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (const std::size_t p : rows_of(points))
     L_p += points.m[p] * (points.x[z][p] * points.v[0][p] - points.x[0][p] * points.v[z][p]);
   EXPECT_NEAR(L, L_p, 1e-13 * sum(points.m));
   EXPECT_NEAR(torque, 0.0, 1e-14 * size);

@@ -2,6 +2,7 @@
 #include "core/lattice.hpp"
 #include "core/stress_pass.hpp"
 #include "tests/support/nodes.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ TEST(RotatingDisc, StressTurnsWithTheBody) {
   State<2> state(scene.grid, fill_regions<2>(scene));
   auto& points = state.particles;
   state.order.update(points);
-  for (std::size_t p = 0; p < points.size(); ++p) {
+  for (const std::size_t p : rows_of(points)) {
     const std::array<Real, 4> stress = {3e3, -2e3, 0.5e3, 0.7e3};
     for (std::size_t i = 0; i < 4; ++i) points.tau[i][p] = stress[i];
   }
@@ -72,7 +73,7 @@ TEST(RotatingDisc, StressTurnsWithTheBody) {
       state.nodal.nodes.v[1][at] = -spin * x;
     }
     stress_pass<2>(state, 0, ElasticModuli::from(1e8, 0.25), ElasticUpdate{}, false, 1.0);
-    for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const std::size_t p : rows_of(points)) {
       const int before = state.grid.cell_of(points.position(p));
       const double x = points.x[0][p], z = points.x[1][p];
       points.x[0][p] = std::cos(angle) * x + std::sin(angle) * z;
@@ -83,7 +84,7 @@ TEST(RotatingDisc, StressTurnsWithTheBody) {
     if (step % (steps / 4) != 0) continue;
     ++quarter;
     const bool across = quarter % 2 == 1; // xx <-> zz, xz changes sign with every quarter
-    for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const std::size_t p : rows_of(points)) {
       // Rounding of a spin's symmetric part, 1e-16 a step,
       // times the stiffness 1e8 Pa: 1e-6 Pa in 400 steps.
       EXPECT_NEAR(points.tau[0][p], across ? -2e3 : 3e3, 1e-5);
