@@ -12,8 +12,8 @@ namespace scarp {
 
 /// Returns the squares of the largest speeds, by lane.
 template <int Dim, bool remap, bool affine, class Shape>
-Pack<typename Shape::Number> gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
-                                         Real flip, Real dt) {
+[[gnu::hot]] Pack<typename Shape::Number>
+gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Real flip, Real dt) {
   using T = typename Shape::Number;
   using Sums = TileSums<Dim, Shape>;
   Particles<Dim, T>& points = state.particles;

@@ -28,8 +28,8 @@ mean_stress_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>
 }
 
 template <int Dim, Terms terms, bool affine, class Shape>
-void scatter_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
-                  const std::vector<Vec<Dim>>& own_force) {
+[[gnu::hot]] void scatter_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
+                               const std::vector<Vec<Dim>>& own_force) {
   using T = typename Shape::Number;
   using Sums = TileSums<Dim, Shape>;
   using OfCells = typename Sums::OfCells;

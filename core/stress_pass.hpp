@@ -155,8 +155,9 @@ mean_rate_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& 
 
 /// The points of one material, which remembers gaps if it `opens`, in one tile.
 template <int Dim, bool opens, class Law, class Shape>
-void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile, std::uint8_t material,
-                 const ElasticModuli& moduli, const Law& law, Real dt) {
+[[gnu::hot]] void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
+                              std::uint8_t material, const ElasticModuli& moduli, const Law& law,
+                              Real dt) {
   using T = typename Shape::Number;
   Particles<Dim, T>& points = state.particles;
   const TileLanes<Dim, Shape> tile(state, number_of_tile);
