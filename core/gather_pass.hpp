@@ -11,9 +11,9 @@
 namespace scarp {
 
 /// Returns the squares of the largest speeds, by lane.
-template <int Dim, bool remap, bool affine, class Shape>
+template <int Dim, bool affine, class Shape>
 [[gnu::hot]] Pack<typename Shape::Number>
-gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Real flip, Real dt) {
+gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Real flip, Real dt) {
   using T = typename Shape::Number;
   using Sums = TileSums<Dim, Shape>;
   Particles<Dim, T>& points = state.particles;
@@ -64,9 +64,9 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Real flip, Rea
       v2 = beside * beside;
     }
     fastest2 = max(fastest2, v2);
-    if constexpr (remap) add_momenta<Dim, Shape, affine>(mv, weights, xi, m_v, m_C, state.grid.h);
+    if (remap) add_momenta<Dim, Shape, affine>(mv, weights, xi, m_v, m_C, state.grid.h);
   }
-  if constexpr (remap)
+  if (remap)
     unrolled<Dim>([&](auto i) { Sums::add_up(mv[i], state.nodal.sums.mv[i], number_of_tile); });
   return fastest2;
 }
@@ -89,8 +89,8 @@ Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
       Pack<T> of_thread = T(0);
 #pragma omp for schedule(static)
       for (std::int64_t tile = 0; tile < tiles; ++tile)
-        of_thread = max(of_thread, gather_tile<Dim, remap, affine.value>(
-                                       state, static_cast<std::size_t>(tile), flip, dt));
+        of_thread = max(of_thread, gather_tile<Dim, affine.value>(
+                                       state, static_cast<std::size_t>(tile), remap, flip, dt));
       fastest2 = std::max(fastest2, static_cast<Real>(hmax(of_thread)));
     }
   });

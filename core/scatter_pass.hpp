@@ -27,14 +27,14 @@ mean_stress_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>
   return sum / weight * number<T>(1.0 / 3.0);
 }
 
-template <int Dim, Terms terms, bool affine, class Shape>
-[[gnu::hot]] void scatter_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
+template <int Dim, bool affine, class Shape>
+[[gnu::hot]] void scatter_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Terms terms,
                                const std::vector<Vec<Dim>>& own_force) {
   using T = typename Shape::Number;
   using Sums = TileSums<Dim, Shape>;
   using OfCells = typename Sums::OfCells;
-  constexpr bool momentum = terms != Terms::force;
-  constexpr bool force = terms != Terms::mass_momentum;
+  const bool momentum = terms != Terms::force;
+  const bool force = terms != Terms::mass_momentum;
   const Particles<Dim, T>& points = state.particles;
   const bool tracks_fraction = state.nodal.tracks_fraction;
   const TileLanes<Dim, Shape> tile(state, number_of_tile);
@@ -56,7 +56,7 @@ template <int Dim, Terms terms, bool affine, class Shape>
     const RankWeights<Dim, Shape> weights(xi, tile.stencil());
     const Pack<T> m_p = load_lanes(&points.m[row]);
     const Pack<T> V0_p = load_lanes(&points.V0[row]);
-    if constexpr (momentum) {
+    if (momentum) {
       std::array<Pack<T>, Dim> m_v;
       std::array<Pack<T>, static_cast<std::size_t>(Dim) * Dim> m_C;
       for (std::size_t i = 0; i < Dim; ++i) m_v[i] = m_p * load_lanes(&points.v[i][row]);
@@ -66,7 +66,7 @@ template <int Dim, Terms terms, bool affine, class Shape>
       if (tracks_fraction) add_values<Dim, Shape>(V0, weights, V0_p);
       add_momenta<Dim, Shape, affine>(mv, weights, xi, m_v, m_C, state.grid.h);
     }
-    if constexpr (force) {
+    if (force) {
       SymTensor<Dim, Pack<T>> tau;
       unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
         tau[i] = load_lanes(&points.tau[i][row]);
@@ -87,13 +87,12 @@ template <int Dim, Terms terms, bool affine, class Shape>
   }
 
   Sums& sums = state.nodal.sums;
-  if constexpr (momentum) {
+  if (momentum) {
     Sums::add_up(m, sums.m, number_of_tile);
     if (tracks_fraction) Sums::add_up(V0, sums.V0, number_of_tile);
     unrolled<Dim>([&](auto i) { Sums::add_up(mv[i], sums.mv[i], number_of_tile); });
   }
-  if constexpr (force)
-    unrolled<Dim>([&](auto i) { Sums::add_up(f[i], sums.f[i], number_of_tile); });
+  if (force) unrolled<Dim>([&](auto i) { Sums::add_up(f[i], sums.f[i], number_of_tile); });
 }
 
 /// m_I = sum_p m_p N_I,  (m v)_I = sum_p m_p v_p N_I,
@@ -109,7 +108,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
   state.nodal.sums.resize(state.order, state.nodal.tracks_fraction);
   with_flag(state.particles.affine(), [&](auto affine) {
     for_each_tile(state, [&](std::size_t tile) {
-      scatter_tile<Dim, terms, affine.value>(state, tile, own_force);
+      scatter_tile<Dim, affine.value>(state, tile, terms, own_force);
     });
   });
 }
