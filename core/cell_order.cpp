@@ -258,13 +258,12 @@ template <int Dim, int corners>
 void CellOrder<Dim, corners>::find_side_pairs(std::size_t axis, int outer, int inner,
                                               std::vector<SidePair>& pairs) const {
   const int row = grid_->nodes[0];
-  const int stride = grid_->node_stride[axis];
-  const int inwards = (inner - outer) * stride;
+  const int inwards = (inner - outer) * grid_->node_stride[axis];
   for (const NodeRun& run : runs_) {
     const int run_end = run.node + static_cast<int>(run.count);
     for (int first = run.node, end = 0; first < run_end; first = end) {
       end = std::min(run_end, (first / row + 1) * row);
-      const int along = first / stride % grid_->nodes[axis];
+      const int along = grid_->node_along(first, axis);
       if (axis > 0 && along == outer)
         for (int node = first; node < end; ++node) pairs.push_back({node, node + inwards});
       const int on_side = first + outer - along;
