@@ -247,7 +247,7 @@ void CellOrder<Dim, width>::find_side_pairs(std::size_t axis, int outer, int inn
   const int inwards = (inner - outer) * grid_->node_stride[axis];
   for (const NodeRun& run : runs_)
     for (int node = run.node; node < run.node + static_cast<int>(run.count); ++node)
-      if (node / grid_->node_stride[axis] % grid_->nodes[axis] == outer)
+      if (grid_->node_along(node, axis) == outer)
         pairs.push_back({node, node + inwards});
 }
 

@@ -84,6 +84,11 @@ template <int Dim> struct GridIndex {
   /// The farthest node from a cell's lowest one.
   int reach() const { return corner_offset[static_cast<std::size_t>(corners) - 1]; }
 
+  /// Nodes before a node along an axis.
+  int node_along(int node, std::size_t axis) const {
+    return node / node_stride[axis] % nodes[axis];
+  }
+
   /// First and last of the nodes along an axis that hold the velocity on a plane between cells: on
   /// the sides of the grid all that matter there, inside those that do not vanish on the plane.
   std::array<int, 2> nodes_of_plane(std::size_t axis, int plane) const {

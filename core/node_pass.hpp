@@ -101,6 +101,7 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         store_lanes(inverse, at, run.count);
         find_velocities(state, walls, run);
       });
+  forget_rubs(state, walls);
   hold_back_pass(state, walls);
 }
 
@@ -162,7 +163,7 @@ void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls, Real
       state, walls, [&](const auto& run) { add_up_momenta(state, run); },
       [&] { add_images(state, walls, state.nodal.nodes.v); },
       [&](const auto& run, std::size_t) { find_velocities(state, walls, run); });
-  const Real rubbed = stick_pass(state, walls);
+  const Real rubbed = hold_back_pass(state, walls);
   if (!state.moves_with_strain) return;
   state.nodal.rubbed = rubbed;
   const Nodes<Dim, typename Shape::Number>& nodes = state.nodal.nodes;

@@ -85,6 +85,7 @@ template <int Dim, class Shape> struct GridState {
   struct Rub {
     Vec<Dim> dv = {};   ///< m/s, to the velocity on the side, along it
     bool stuck = false; ///< whether it has stopped it
+    Real taken = 0.0;   ///< J, that it takes with the latest velocities
   };
   std::array<std::array<std::vector<Rub>, 2>, Dim> rubs;
 
@@ -101,6 +102,7 @@ template <int Dim, class Shape> struct GridState {
     const auto add_lines = [&bytes](const auto& lines) {
       for (const auto& line : lines) bytes += bytes_of(line);
     };
+    for (const auto& of_axis : rubs) add_lines(of_axis);
     add_lines(sums.m);
     add_lines(sums.V0);
     for (std::size_t i = 0; i < Dim; ++i) {

@@ -57,89 +57,90 @@ inline Real taken_work(Real before, Real after, Real impulse) {
   return impulse * (before + std::clamp(0.5 * (after - before), -most, most));
 }
 
-/// Calls push(pair's number, node, v, part) for the active nodes of a friction side: v, the
-/// velocity on the side, is the mean of the pair's, and a change of it is one of `part` times as
-/// much of the node's, since the impulse is the same for both.
+/// Begins a step, whose pairs are other ones than those before: nothing has rubbed yet.
 template <int Dim, class Shape>
-void for_each_push(const State<Dim, Shape>& state, const typename Walls<Dim>::Friction& side,
-                   const auto& push) {
-  const auto& nodes = state.nodal.nodes;
+void forget_rubs(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+  for (const auto& side : walls.friction())
+    state.nodal.rubs[side.axis][side.side].assign(
+        state.order.side_pairs(side.axis, side.side).size(), {});
+}
+
+/// Gives the velocity on friction sides, the mean of a pair's, the value left(side, rub, v), by an
+/// impulse that is the same for both nodes.  give(rub, node, i, change, impulse) is to change a
+/// component of a node's velocity and to add to rub.taken what friction's impulse of that (N s)
+/// takes.  Returns the sum, J.
+template <int Dim, class Shape>
+Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& left,
+                const auto& give) {
+  using T = typename Shape::Number;
+  const Nodes<Dim, T>& nodes = state.nodal.nodes;
   const auto mass = [&](std::size_t node) -> Real {
     return nodes.inv_m[node] > 0 ? 1.0 / nodes.inv_m[node] : 0.0;
   };
-  for_each_side_pair(state, side, [&](std::size_t outer, std::size_t inner, std::size_t k) {
-    Vec<Dim> v;
-    for (std::size_t i = 0; i < Dim; ++i) v[i] = 0.5 * (nodes.v[i][outer] + nodes.v[i][inner]);
-    if (outer == inner) return push(k, outer, v, 1.0);
-    const Real whole = mass(outer) + mass(inner);
-    if (whole == 0.0) return;
-    const Real of_outer = 2.0 * mass(inner) / whole;
-    push(k, outer, v, of_outer);
-    push(k, inner, v, 2.0 - of_outer);
-  });
-}
-
-/// Stops the motion into friction sides.
-template <int Dim, class Shape>
-void hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  using T = typename Shape::Number;
-  for (const auto& side : walls.friction())
-    for_each_push(state, side, [&](std::size_t, std::size_t node, const Vec<Dim>& v, Real part) {
-      const Vec<Dim> left = side.hold_back(v);
-      for (std::size_t i = 0; i < Dim; ++i)
-        state.nodal.nodes.v[i][node] += static_cast<T>(part * (left[i] - v[i]));
-    });
-}
-
-/// The same with Coulomb's friction, in the step's change of velocity as well.  Returns what
-/// friction takes, J, with the step's velocities.
-template <int Dim, class Shape>
-Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  using T = typename Shape::Number;
-  Nodes<Dim, T>& nodes = state.nodal.nodes;
   Real taken = 0.0;
   for (const auto& side : walls.friction()) {
     auto& rubs = state.nodal.rubs[side.axis][side.side];
-    rubs.assign(state.order.side_pairs(side.axis, side.side).size(), {});
-    Column work(rubs.size(), 0.0); // by pair
-    for_each_push(state, side, [&](std::size_t k, std::size_t node, const Vec<Dim>& v, Real part) {
-      const Vec<Dim> left = side.resist(v), without_friction = side.hold_back(v);
-      for (std::size_t i = 0; i < Dim; ++i) rubs[k].dv[i] = left[i] - without_friction[i];
-      rubs[k].stuck = left == Vec<Dim>{} && left != v;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        const Real before = nodes.v[i][node] - nodes.dv[i][node];
-        const auto change = static_cast<T>(part * (left[i] - v[i]));
-        nodes.v[i][node] += change;
-        nodes.dv[i][node] += change;
-        work[k] += taken_work(before, nodes.v[i][node],
-                              nodes.m[node] * part * (without_friction[i] - left[i]));
-      }
+    for_each_side_pair(state, side, [&](std::size_t outer, std::size_t inner, std::size_t k) {
+      Vec<Dim> v;
+      for (std::size_t i = 0; i < Dim; ++i) v[i] = 0.5 * (nodes.v[i][outer] + nodes.v[i][inner]);
+      auto& rub = rubs[k];
+      rub.taken = 0.0;
+      const Vec<Dim> after = left(side, rub, v);
+      // A change of the mean is one of `part` times as much of the node's.
+      const auto push = [&](std::size_t node, Real part) {
+        for (std::size_t i = 0; i < Dim; ++i)
+          give(rub, node, i, static_cast<T>(part * (after[i] - v[i])),
+               nodes.m[node] * part * rub.dv[i]);
+      };
+      if (outer == inner) return push(outer, 1.0);
+      const Real whole = mass(outer) + mass(inner);
+      if (whole == 0.0) return;
+      const Real of_outer = 2.0 * mass(inner) / whole;
+      push(outer, of_outer);
+      push(inner, 2.0 - of_outer);
     });
-    for (const Real of_pair : work) taken += of_pair;
+    for (const auto& rub : rubs) taken += rub.taken;
   }
   return taken;
 }
 
-/// Keeps what has stuck to friction sides in this step there, when velocities are mapped again: a
-/// wall that holds them in one mapping and lets them go in the other would drive them along.
-/// Returns what friction takes, J, with the remapped velocities.
-template <int Dim, class Shape> Real stick_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
-  using T = typename Shape::Number;
-  Nodes<Dim, T>& nodes = state.nodal.nodes;
-  Real taken = 0.0;
-  for (const auto& side : walls.friction()) {
-    const auto& rubs = state.nodal.rubs[side.axis][side.side];
-    Column work(rubs.size(), 0.0); // by pair
-    for_each_push(state, side, [&](std::size_t k, std::size_t node, const Vec<Dim>& v, Real part) {
-      const Vec<Dim> left = rubs[k].stuck ? Vec<Dim>{} : side.hold_back(v);
-      for (std::size_t i = 0; i < Dim; ++i) {
-        nodes.v[i][node] += static_cast<T>(part * (left[i] - v[i]));
-        work[k] -= nodes.m[node] * part * rubs[k].dv[i] * nodes.v[i][node];
-      }
-    });
-    for (const Real of_pair : work) taken += of_pair;
-  }
-  return taken;
+/// Stops the motion into friction sides, and all motion on them where Coulomb's friction has done
+/// so in this step: a wall that holds velocities in one mapping and lets them go when they are
+/// mapped again would drive them along.  Returns what friction takes, J, with the velocities after
+/// it.
+template <int Dim, class Shape>
+Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+  auto& nodes = state.nodal.nodes;
+  return push_pairs(
+      state, walls,
+      [](const auto& side, const auto& rub, const Vec<Dim>& v) {
+        return rub.stuck ? Vec<Dim>{} : side.hold_back(v);
+      },
+      [&](auto& rub, std::size_t node, std::size_t i, auto change, Real impulse) {
+        nodes.v[i][node] += change;
+        rub.taken -= impulse * nodes.v[i][node];
+      });
+}
+
+/// Stops the motion into friction sides with Coulomb's friction, in the step's change of velocity
+/// as well.  Returns what friction takes, J, with the step's velocities.
+template <int Dim, class Shape>
+Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
+  auto& nodes = state.nodal.nodes;
+  return push_pairs(
+      state, walls,
+      [](const auto& side, auto& rub, const Vec<Dim>& v) {
+        const Vec<Dim> left = side.resist(v), without_friction = side.hold_back(v);
+        for (std::size_t i = 0; i < Dim; ++i) rub.dv[i] = left[i] - without_friction[i];
+        rub.stuck = left == Vec<Dim>{} && left != v;
+        return left;
+      },
+      [&](auto& rub, std::size_t node, std::size_t i, auto change, Real impulse) {
+        const Real before = nodes.v[i][node] - nodes.dv[i][node];
+        nodes.v[i][node] += change;
+        nodes.dv[i][node] += change;
+        rub.taken += taken_work(before, nodes.v[i][node], -impulse);
+      });
 }
 
 } // namespace scarp

@@ -10,7 +10,20 @@ namespace scarp {
 namespace {
 
 constexpr std::uint8_t bit(std::size_t i) { return static_cast<std::uint8_t>(1U << i); }
-template <int Dim> constexpr std::uint8_t all_components = (1U << Dim) - 1U;
+
+/// The components of the velocity that a side holds at 0, as bits.
+template <int Dim> std::uint8_t held_components(WallKind kind, std::size_t axis) {
+  switch (kind) {
+  case WallKind::fixed:
+    return (1U << Dim) - 1U;
+  case WallKind::symmetry:
+    return bit(axis);
+  case WallKind::free:
+  case WallKind::friction:
+    break;
+  }
+  return 0;
+}
 
 } // namespace
 
@@ -33,9 +46,8 @@ Walls<Dim>::Walls(const Scene& scene, const GridIndex<Dim>& grid) : grid_(&grid)
       const Wall& wall = sides_[axis][side];
       if (wall.kind == WallKind::friction)
         friction_.push_back({axis, side, wall.friction_coefficient});
-      if (grid.layout != NodeLayout::spline) continue;
-      if (wall.kind == WallKind::fixed) mirrors_.push_back({axis, side, all_components<Dim>});
-      if (wall.kind == WallKind::symmetry) mirrors_.push_back({axis, side, bit(axis)});
+      if (const std::uint8_t odd = held_components<Dim>(wall.kind, axis))
+        mirrors_.push_back({axis, side, odd});
     }
   hold_nodes(0.0);
 }
@@ -60,13 +72,13 @@ typename Walls<Dim>::DegreeOfFreedom Walls<Dim>::degree_of_freedom(int node,
   DegreeOfFreedom of = {node, 1.0};
   const auto reflect = [&](std::size_t axis, std::size_t side, Real sign) {
     for (const auto& [outer, inner] : grid_->side_layers(axis, side)) {
-      if (of.node / grid_->node_stride[axis] % grid_->nodes[axis] != outer) continue;
+      if (grid_->node_along(of.node, axis) != outer) continue;
       of.node += (inner - outer) * grid_->node_stride[axis];
       of.sign *= outer == inner ? 0.0 : sign;
       return;
     }
   };
-  for (const Mirror& mirror : mirrors_) reflect(mirror.axis, mirror.side, mirror.sign(component));
+  for (const Mirror& mirror : mirrors()) reflect(mirror.axis, mirror.side, mirror.sign(component));
   for (const Friction& friction : friction_)
     if (friction.axis == component) reflect(friction.axis, friction.side, -1.0);
   if (held_[static_cast<std::size_t>(of.node)] >> component & 1U) of.sign = 0.0;
@@ -75,37 +87,26 @@ typename Walls<Dim>::DegreeOfFreedom Walls<Dim>::degree_of_freedom(int node,
 
 template <int Dim> void Walls<Dim>::hold_nodes(double time) {
   held_.assign(static_cast<std::size_t>(grid_->node_count), 0);
-  const auto place = [this](int node, std::size_t axis) {
-    return node / grid_->node_stride[axis] % grid_->nodes[axis];
-  };
-  const auto hold = [&](std::size_t axis, int plane, std::uint8_t components) {
-    const auto [first, last] = grid_->nodes_of_plane(axis, plane);
+  // What hold(node) says is held of the nodes from first to last along an axis.
+  const auto add = [&](std::size_t axis, int first, int last, const auto& hold) {
     for (int node = 0; node < grid_->node_count; ++node)
-      if (place(node, axis) >= first && place(node, axis) <= last)
-        held_[static_cast<std::size_t>(node)] |= components;
+      if (const int along = grid_->node_along(node, axis); first <= along && along <= last)
+        held_[static_cast<std::size_t>(node)] |= hold(node);
   };
-
   for (const Gate& gate : gates_) {
     if (gate.release_time <= time) continue;
     const std::size_t axis = grid_axis<Dim>(gate.axis);
-    hold(axis, static_cast<int>(std::lround(grid_->scaled(gate.position, axis))), bit(axis));
+    const auto plane = static_cast<int>(std::lround(grid_->scaled(gate.position, axis)));
+    const auto [first, last] = grid_->nodes_of_plane(axis, plane);
+    add(axis, first, last, [&](int) { return bit(axis); });
   }
-  for (std::size_t axis = 0; axis < Dim; ++axis)
-    for (std::size_t side = 0; side < 2; ++side) {
-      const WallKind kind = sides_[axis][side].kind;
-      if (grid_->layout == NodeLayout::spline) {
+  for (const Mirror& side : mirrors_)
+    for (const auto& [outer, inner] : grid_->side_layers(side.axis, side.side)) {
+      const int inwards = (inner - outer) * grid_->node_stride[side.axis];
+      add(side.axis, outer, outer, [&](int node) {
         // The image of what a gate holds is held.
-        if (kind == WallKind::free || kind == WallKind::friction) continue;
-        const auto [outer, inner] = grid_->side_layers(axis, side).front();
-        for (int node = 0; node < grid_->node_count; ++node)
-          if (place(node, axis) == outer)
-            held_[static_cast<std::size_t>(node)] |=
-                held_[static_cast<std::size_t>(node + (inner - outer) * grid_->node_stride[axis])];
-      } else {
-        const int plane = side == 0 ? 0 : grid_->cells[axis];
-        if (kind == WallKind::fixed) hold(axis, plane, all_components<Dim>);
-        if (kind == WallKind::symmetry) hold(axis, plane, bit(axis));
-      }
+        return inwards == 0 ? side.odd : held_[static_cast<std::size_t>(node + inwards)];
+      });
     }
 }
 

@@ -7,6 +7,7 @@
 #include "core/scene.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scarp {
@@ -59,14 +60,18 @@ template <int Dim> class Walls {
   /// component both ways, also where the body would come off, and nothing along them.
   DegreeOfFreedom degree_of_freedom(int node, std::size_t component) const;
 
-  /// A side whose outer nodes are images of the inner ones.
+  /// A side whose outer nodes are images of the inner ones; a node on it is its own image.
   struct Mirror {
     std::size_t axis, side;
     std::uint8_t odd; ///< bit i: component i, else even
 
     Real sign(std::size_t component) const { return odd >> component & 1U ? -1.0 : 1.0; }
   };
-  const std::vector<Mirror>& mirrors() const { return mirrors_; }
+  /// Those that have nodes on both sides.
+  std::span<const Mirror> mirrors() const {
+    return grid_->layout == NodeLayout::spline ? std::span<const Mirror>(mirrors_)
+                                               : std::span<const Mirror>();
+  }
 
   /// Coulomb's law along a side: the impulse that stops the motion into it allows a tangential
   /// impulse of at most `coefficient` times it.

@@ -66,7 +66,7 @@ template <int Dim> Source<Dim> source(const GridIndex<Dim>& grid, const Scene& s
   source.sign.fill(1.0);
   for (int a = 0; a < Dim; ++a) {
     const auto axis = static_cast<std::size_t>(a);
-    const int along = node / grid.node_stride[axis] % grid.nodes[axis];
+    const int along = grid.node_along(node, axis);
     for (const int side : {0, 1}) {
       const WallKind kind =
           scene.grid.walls[scene_axis<Dim>(a)][static_cast<std::size_t>(side)].kind;
@@ -239,6 +239,7 @@ TEST(Sides, FrictionPushesBothNodesOfAPair) {
   gather_momentum_pass(body.state, no_side);
   advance_momentum_pass(body.state, no_side, {}, 0.0, 1e-3);
   const auto before = body.state.nodal.nodes;
+  forget_rubs(body.state, body.walls);
   const Real taken = resist_pass(body.state, body.walls);
   const auto& after = body.state.nodal.nodes;
 

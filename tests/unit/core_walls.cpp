@@ -51,7 +51,7 @@ template <int Dim> struct Fixture {
 
  private:
   bool on(const auto& side, int at) const {
-    const int along = at / grid.node_stride[side.axis] % grid.nodes[side.axis];
+    const int along = grid.node_along(at, side.axis);
     return along == (side.side == 0 ? 0 : grid.cells[side.axis]);
   }
 };
