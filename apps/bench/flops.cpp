@@ -108,7 +108,11 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
   constexpr int t = tensor_size<Dim>, d2 = d * d;
   const int place = 3 * d, functions = d * axis.functions, derivatives = d * axis.derivatives;
   const int I = interpolation<Dim, Shape>();
-  const int affine_to_nodes = d2 + 2 * w * d + d * n + 2 * d2 * n;
+  constexpr int lines = n / w;
+  constexpr int products = d == 3 ? 3 * lines : 0, value = lines + 2 * n;
+  constexpr int forces = d * lines * (2 * d - 2) + 4 * d * n;
+  // Instead of d values.
+  constexpr int affine_to_nodes = d2 + 2 * w * d + 2 * d2 * lines + 4 * d * n - d * value;
   const int affine_of_point = 3 * w * d + d2 * I;
 
   StepCost cost;
@@ -116,34 +120,32 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
     cost.flops[static_cast<std::size_t>(phase)] = flops;
     cost.bytes[static_cast<std::size_t>(phase)] = bytes;
   };
-  // A cell's sums, an entry in each of its strip's lines: m, m v and f.  A node's numbers: m,
+  // A cell's sums, an entry in each of its tile's lines: m, m v and f.  A node's numbers: m,
   // inverse mass, force, v, dv.
   constexpr double index = 4.0; // B
-  constexpr int lines = n / w;
   const double tile = (1 + 2 * d) * lines * number / points_of_cell;
   const double node = (2 + 3 * d) * number / points_of_cell;
   const double neighbours = lines * index / points_of_cell;
   const double moments = d * lines * number / points_of_cell;
   const double gradients = affine ? d2 * number : 0.0;
 
-  set(Phase::sort, 2 * d, d * number + index);
+  set(Phase::sort, 2 * d, d * number);
   set(Phase::scatter,
-      place + functions + derivatives + (d - 1) * n + d * (d - 1) * n + d + s +
-          (2 + 2 * d + 2 * d2) * n + (1 + 2 * d) * n / points_of_cell +
-          (affine ? affine_to_nodes : 0),
-      (d + d + t + 2) * number + index + gradients + tile);
+      place + functions + derivatives + products + d + s + (2 + d) * value + forces +
+          (2 + 2 * d) * lines * (w - 1) / points_of_cell + (affine ? affine_to_nodes : 0),
+      (d + d + t + 2) * number + gradients + tile);
   set(Phase::nodes, ((1 + 2 * d) * lines + 2 + d + d + 4 * d + d) / points_of_cell,
       tile + 2 * neighbours + 3 * node + number / points_of_cell);
   set(Phase::gather,
-      place + functions + 2 * d * I + 4 * d + (affine ? 0 : d) + 4 * d + (d - 1) * n + d +
-          2 * d * n + d * n / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
-      (d + 2 * d + d + 1) * number + index + 2 * gradients + moments + node);
+      place + functions + products + 2 * d * I + 4 * d + (affine ? 0 : d) + 4 * d + d + d * value +
+          d * lines * (w - 1) / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
+      (d + 2 * d + d + 1) * number + 2 * gradients + moments + node);
   set(Phase::remap, (d * lines + d) / points_of_cell, moments + neighbours + 2 * node);
   // With affine transfers points move with the strain; at last it is looked whether they leave.
   set(Phase::stress,
       place + functions + derivatives + d2 * I + I + 2 + law<Dim>() + d + 5 + 2 +
           (affine ? d * I + d : 0) + 3 * d,
-      (d + 2 * t + 2 * 4 + 1) * number + index + 1.0 + node);
+      (d + 2 * t + 2 * 4 + 1) * number + 1.0 + node);
   set(Phase::move, d, 3 * d * number);
   return cost;
 }

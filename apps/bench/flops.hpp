@@ -14,15 +14,18 @@
 //                                                       (counted: interpolate() with a scalar that
 //                                                        counts)
 //   sort       cell of a point                                                              2 d
-//   scatter    place, W, D, N at the nodes (d - 1) n, grad N d (d - 1) n, products m v d and V0 tau
-//              s, to the nodes m, V0, m v, f: (2 + 2 + 2 d + 2 d^2) n
-//     affine   m C d^2, x_I - x_p 2 w d, its products with N d n, to the nodes 2 d^2 n
+//   a value to the nodes, A        with l = n / w lines of nodes: l + 2 n
+//   scatter    place, W, D, in 3-D products for the lines 3 l, products m v d and V0 tau s; m, V0
+//   and
+//              m v: (2 + d) A; f: d l (2 d - 2) + 4 d n; cells' sums along x (2 + 2 d) l (w - 1) a
+//              cell
+//     affine   m C d^2, x_I - x_p 2 w d, and instead of A for m v: 2 d^2 l + 4 d n
 //   nodes      of a node, and there are 1 / ppc^d of them a point inside a body; every node has n
 //              cells around it: m, V0, m v, f from tiles (2 + 2 d) n, 1 / m and fraction 2, v d,
 //              gravity d, v after the forces 4 d, dv d
-//   gather     place, W, 2 d interpolations (v, dv), v_p 4 d, dx d, speeds squared 4 d, new place
-//              3 d
-//     remap    N (d - 1) n, m v d, to the nodes 2 d n
+//   gather     place, W, products, 2 d interpolations (v, dv), v_p 4 d, dx d, speeds squared 4 d,
+//              new place 3 d
+//     remap    m v d, to the nodes d A, cells' sums d l (w - 1) a cell
 //     affine   weights of C: x_I - x_p 2 w d, D_p 3 w d, 1 / D_p d, q w d; C d^2 interpolations;
 //              m C, products and to the nodes as in scatter
 //   remap      of a node: m v from tiles d n, v d
@@ -54,7 +57,7 @@ struct StepCost {
 /// Linear functions or B-splines, any transfer, MUSL, Drucker-Prager that remembers gaps.
 /// Bytes: every column that a pass reads or writes counts once a pass with `number_size` bytes a
 /// number, tiles and nodes by their number a point, as if no cache held anything from pass to pass;
-/// rows of columns that are put into order again now and then are left out.  Throws
+/// empty rows, and points that change cell, are left out.  Throws
 /// std::invalid_argument for GIMP.
 StepCost step_cost(int dimension, ShapeFunctions shape, VelocityTransfer transfer,
                    int points_per_cell, std::size_t number_size);

@@ -56,16 +56,16 @@ TEST(SpeedFlops, FunctionsAlongAnAxisAreCountedRight) {
 /// Linear functions in plane strain, 4 nodes: by hand, one after the other.
 TEST(SpeedFlops, ScatterByHand) {
   const StepCost cost = step_cost(2, ShapeFunctions::linear, VelocityTransfer::flip, 2, 8);
-  const int place = 2 * 3;               // (x - lower) / h - corner
-  const int functions = 2;               // 1 - xi
-  const int products = 4 + 2 * 4;        // N = w_x w_z; two slopes
-  const int of_point = 2 + 3;            // m v; V0 tau_xx, tau_zz, tau_xz
-  const int to_node = 2 + 2 * 2 + 2 * 4; // m; m v; f
-  const int of_cell = (1 + 2 + 2) * 4;   // to its strip, of 4 points
+  const int place = 2 * 3;           // (x - lower) / h - corner
+  const int functions = 2;           // 1 - xi
+  const int of_point = 2 + 3;        // m v; V0 tau_xx, tau_zz, tau_xz
+  const int value = 2 + 2 * 4;       // its product with w_z; with w_x, and added
+  const int force = 2 * (2 + 2 * 4); // two products with w_z and its slope; with w_x and its slope
+  const int of_cell = (2 + 2 + 2) * 2; // m, V0, m v, f with the next cell's: of 4 points
   EXPECT_EQ(cost.flops_of(Phase::scatter),
-            place + functions + products + of_point + 4 * to_node + of_cell / 4);
+            place + functions + of_point + 4 * value + 2 * force + of_cell / 4);
   EXPECT_EQ(cost.flops_of(Phase::move), 2);
-  // (1 + 2 * 2) * 2 sums of strips, 1 / m, fraction, v, gravity, forces, dv; 4 points a node
+  // (1 + 2 * 2) * 2 sums of tiles, 1 / m, fraction, v, gravity, forces, dv; 4 points a node
   EXPECT_EQ(cost.flops_of(Phase::nodes), (10 + 2 + 2 + 2 + 8 + 2) / 4.0);
 }
 
