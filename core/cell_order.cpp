@@ -5,15 +5,9 @@
 
 namespace scarp {
 
-namespace {
-
-constexpr int lanes = static_cast<int>(tile_cells);
-
-} // namespace
-
-template <int Dim, int width>
+template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-void CellOrder<Dim, width>::update(Particles<Dim, T>& particles) {
+void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
   if (tiles_.empty()) return rebuild(particles);
   const std::vector<Move> moves = find_moves(particles);
   const std::size_t before = tiles_.size();
@@ -25,8 +19,8 @@ void CellOrder<Dim, width>::update(Particles<Dim, T>& particles) {
   find_side_pairs();
 }
 
-template <int Dim, int width>
-auto CellOrder<Dim, width>::cell(std::size_t tile, std::size_t lane) const -> Cell {
+template <int Dim, int width, std::size_t tile_cells>
+auto CellOrder<Dim, width, tile_cells>::cell(std::size_t tile, std::size_t lane) const -> Cell {
   const Tile& in = tiles_[tile];
   Cell cell = {in.along, in.first_node + static_cast<int>(lane), entry(tile) + lane, in.row + lane,
                in.count[lane]};
@@ -34,7 +28,8 @@ auto CellOrder<Dim, width>::cell(std::size_t tile, std::size_t lane) const -> Ce
   return cell;
 }
 
-template <int Dim, int width> auto CellOrder<Dim, width>::cells() const -> std::vector<Cell> {
+template <int Dim, int width, std::size_t tile_cells>
+auto CellOrder<Dim, width, tile_cells>::cells() const -> std::vector<Cell> {
   std::vector<Cell> occupied;
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
     for (std::size_t lane = 0; lane < tile_cells; ++lane)
@@ -42,7 +37,8 @@ template <int Dim, int width> auto CellOrder<Dim, width>::cells() const -> std::
   return occupied;
 }
 
-template <int Dim, int width> auto CellOrder<Dim, width>::empty_tile(int index) const -> Tile {
+template <int Dim, int width, std::size_t tile_cells>
+auto CellOrder<Dim, width, tile_cells>::empty_tile(int index) const -> Tile {
   Tile tile = {};
   tile.index = index;
   int rest = index / tiles_along_x(); // of rows of cells
@@ -54,27 +50,29 @@ template <int Dim, int width> auto CellOrder<Dim, width>::empty_tile(int index) 
 }
 
 /// Tile by tile, from the last rank of each on: so that a move changes no later one's rank.
-template <int Dim, int width>
+template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-auto CellOrder<Dim, width>::find_moves(const Particles<Dim, T>& particles) const
+auto CellOrder<Dim, width, tile_cells>::find_moves(const Particles<Dim, T>& particles) const
     -> std::vector<Move> {
   std::vector<std::vector<Move>> of_thread(static_cast<std::size_t>(omp_get_max_threads()));
   const auto n = static_cast<std::int64_t>(tiles_.size());
 #pragma omp parallel
   {
     std::vector<Move>& own = of_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    const auto lane_number = lane_numbers<Real>();
+    using Places = Lanes<Real, tile_cells>;
+    const auto lane_number = lane_numbers<Real, tile_cells>();
 #pragma omp for schedule(static)
     for (std::int64_t k = 0; k < n; ++k) {
       const auto slot = static_cast<std::uint32_t>(k);
       const Tile& tile = tiles_[slot];
-      const Pack<Real> count([&](auto lane) { return static_cast<Real>(tile.count[lane]); });
+      const Places count([&](auto lane) { return static_cast<Real>(tile.count[lane]); });
       for (std::uint32_t rank = tile.ranks; rank-- > 0;) {
         const std::size_t row = tile.row + rank * tile_cells;
         auto left = count < 0.0;
         for (std::size_t i = 0; i < Dim; ++i) {
-          Pack<Real> xi =
-              grid_->scaled(load_lanes(&particles.x[i][row]), i) - static_cast<Real>(tile.along[i]);
+          Places xi =
+              grid_->scaled(Places(&particles.x[i][row], std::experimental::element_aligned), i) -
+              static_cast<Real>(tile.along[i]);
           if (i == 0) xi -= lane_number;
           left = left || xi < 0.0 || xi >= 1.0;
         }
@@ -95,9 +93,9 @@ auto CellOrder<Dim, width>::find_moves(const Particles<Dim, T>& particles) const
   return moves;
 }
 
-template <int Dim, int width>
+template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-void CellOrder<Dim, width>::carry_out(const Move& move, Particles<Dim, T>& particles) {
+void CellOrder<Dim, width, tile_cells>::carry_out(const Move& move, Particles<Dim, T>& particles) {
   std::uint32_t& slot = slot_of_[static_cast<std::size_t>(move.to_tile)];
   if (slot == none) {
     slot = static_cast<std::uint32_t>(tiles_.size());
@@ -125,9 +123,9 @@ void CellOrder<Dim, width>::carry_out(const Move& move, Particles<Dim, T>& parti
 }
 
 /// By one rank.
-template <int Dim, int width>
+template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-void CellOrder<Dim, width>::grow(Tile& tile, Particles<Dim, T>& particles) {
+void CellOrder<Dim, width, tile_cells>::grow(Tile& tile, Particles<Dim, T>& particles) {
   const std::uint32_t capacity = tile.capacity + 1;
   if (free_.size() <= capacity) free_.resize(capacity + 1);
   auto row = static_cast<std::uint32_t>(particles.rows());
@@ -146,9 +144,9 @@ void CellOrder<Dim, width>::grow(Tile& tile, Particles<Dim, T>& particles) {
 }
 
 /// Tiles in the order of the grid, their rows too, with as many ranks as they need.
-template <int Dim, int width>
+template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-void CellOrder<Dim, width>::rebuild(Particles<Dim, T>& particles) {
+void CellOrder<Dim, width, tile_cells>::rebuild(Particles<Dim, T>& particles) {
   const std::size_t rows = particles.rows();
   std::vector<std::uint32_t> row(rows, none); // first: the place among all lanes of the grid
   const auto n = static_cast<std::int64_t>(rows);
@@ -192,7 +190,8 @@ void CellOrder<Dim, width>::rebuild(Particles<Dim, T>& particles) {
   find_side_pairs();
 }
 
-template <int Dim, int width> void CellOrder<Dim, width>::find_node_runs() {
+template <int Dim, int width, std::size_t tile_cells>
+void CellOrder<Dim, width, tile_cells>::find_node_runs() {
   const int row = grid_->nodes[0];
   const int runs_in_row = (row - 1) / lanes + 1;
   const auto run_at = [&](int node) {
@@ -230,7 +229,8 @@ template <int Dim, int width> void CellOrder<Dim, width>::find_node_runs() {
     });
 }
 
-template <int Dim, int width> void CellOrder<Dim, width>::find_side_pairs() {
+template <int Dim, int width, std::size_t tile_cells>
+void CellOrder<Dim, width, tile_cells>::find_side_pairs() {
   for (std::size_t axis = 0; axis < Dim; ++axis)
     for (std::size_t side = 0; side < 2; ++side) {
       side_pairs_[axis][side].clear();
@@ -241,32 +241,35 @@ template <int Dim, int width> void CellOrder<Dim, width>::find_side_pairs() {
 }
 
 /// Of one layer.
-template <int Dim, int width>
-void CellOrder<Dim, width>::find_side_pairs(std::size_t axis, int outer, int inner,
-                                            std::vector<SidePair>& pairs) const {
+template <int Dim, int width, std::size_t tile_cells>
+void CellOrder<Dim, width, tile_cells>::find_side_pairs(std::size_t axis, int outer, int inner,
+                                                        std::vector<SidePair>& pairs) const {
   const int inwards = (inner - outer) * grid_->node_stride[axis];
   for (const NodeRun& run : runs_)
     for (int node = run.node; node < run.node + static_cast<int>(run.count); ++node)
-      if (grid_->node_along(node, axis) == outer)
-        pairs.push_back({node, node + inwards});
+      if (grid_->node_along(node, axis) == outer) pairs.push_back({node, node + inwards});
 }
 
-template class CellOrder<2, 2>;
-template class CellOrder<2, 3>;
-template class CellOrder<2, 4>;
-template class CellOrder<3, 2>;
-template class CellOrder<3, 3>;
-template class CellOrder<3, 4>;
+template class CellOrder<2, 2, 8>;
+template class CellOrder<2, 2, 16>;
+template class CellOrder<2, 3, 8>;
+template class CellOrder<2, 3, 16>;
+template class CellOrder<2, 4, 8>;
+template class CellOrder<3, 2, 8>;
+template class CellOrder<3, 2, 16>;
+template class CellOrder<3, 3, 8>;
+template class CellOrder<3, 3, 16>;
+template class CellOrder<3, 4, 8>;
 
-template void CellOrder<2, 2>::update(Particles<2>&);
-template void CellOrder<2, 3>::update(Particles<2>&);
-template void CellOrder<2, 4>::update(Particles<2>&);
-template void CellOrder<3, 2>::update(Particles<3>&);
-template void CellOrder<3, 3>::update(Particles<3>&);
-template void CellOrder<3, 4>::update(Particles<3>&);
-template void CellOrder<2, 2>::update(Particles<2, float>&);
-template void CellOrder<2, 3>::update(Particles<2, float>&);
-template void CellOrder<3, 2>::update(Particles<3, float>&);
-template void CellOrder<3, 3>::update(Particles<3, float>&);
+template void CellOrder<2, 2, 8>::update(Particles<2>&);
+template void CellOrder<2, 3, 8>::update(Particles<2>&);
+template void CellOrder<2, 4, 8>::update(Particles<2>&);
+template void CellOrder<3, 2, 8>::update(Particles<3>&);
+template void CellOrder<3, 3, 8>::update(Particles<3>&);
+template void CellOrder<3, 4, 8>::update(Particles<3>&);
+template void CellOrder<2, 2, 16>::update(Particles<2, float>&);
+template void CellOrder<2, 3, 16>::update(Particles<2, float>&);
+template void CellOrder<3, 2, 16>::update(Particles<3, float>&);
+template void CellOrder<3, 3, 16>::update(Particles<3, float>&);
 
 } // namespace scarp

@@ -24,7 +24,7 @@ namespace scarp {
 ///
 /// What a tile gives nodes is added up in `tile_entries` entries for each line of nodes along x
 /// that it reaches; the nodes add up those of all tiles that reach them.
-template <int Dim, int width> class CellOrder {
+template <int Dim, int width, std::size_t tile_cells> class CellOrder {
  public:
   static constexpr std::size_t lines = static_cast<std::size_t>(power(width, Dim - 1));
   static constexpr std::size_t tile_entries = tile_cells + width - 1;
@@ -106,7 +106,9 @@ template <int Dim, int width> class CellOrder {
     std::uint32_t to_lane;
   };
 
-  int tiles_along_x() const { return (grid_->cells[0] - 1) / static_cast<int>(tile_cells) + 1; }
+  static constexpr int lanes = static_cast<int>(tile_cells);
+
+  int tiles_along_x() const { return (grid_->cells[0] - 1) / lanes + 1; }
   int tile_count() const { return grid_->cell_count / grid_->cells[0] * tiles_along_x(); }
   Tile empty_tile(int index) const;
   template <class T> std::vector<Move> find_moves(const Particles<Dim, T>& particles) const;

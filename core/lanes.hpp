@@ -12,15 +12,17 @@
 
 namespace scarp {
 
-/// Cells that a pass works on at once.  The same for any processor and type of number, so that the
-/// order in which points lie is too.
-inline constexpr std::size_t tile_cells = 8;
+/// Cells that a pass works on at once: 8 with doubles, 16 with floats, on any processor, so that
+/// the order in which points lie is the same.
+template <class T> inline constexpr std::size_t tile_cells = 64 / sizeof(T);
+
+/// Several numbers in the lanes of one register, or of two.
+template <class T, std::size_t count>
+using Lanes =
+    std::experimental::simd<T, std::experimental::simd_abi::deduce_t<T, static_cast<int>(count)>>;
 
 /// A number for each cell of a tile, or for a point in each.
-template <class T>
-using Pack =
-    std::experimental::simd<T,
-                            std::experimental::simd_abi::deduce_t<T, static_cast<int>(tile_cells)>>;
+template <class T> using Pack = Lanes<T, tile_cells<T>>;
 
 /// The number type of a number, or of a Pack's lanes.
 template <class T> struct NumberIn { using type = T; };
@@ -41,13 +43,14 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline void store_lanes(const std::type_identity_t<Pack<T>>& values, T* to,
                                                std::size_t count) {
-  if (count == tile_cells) return store_lanes(values, to);
+  if (count == tile_cells<T>) return store_lanes(values, to);
   for (std::size_t lane = 0; lane < count; ++lane) to[lane] = values[lane];
 }
 
 /// 0, 1, 2, ...
-template <class T> [[gnu::always_inline]] inline Pack<T> lane_numbers() {
-  return Pack<T>([](auto lane) { return static_cast<T>(static_cast<int>(lane)); });
+template <class T, std::size_t count = tile_cells<T>>
+[[gnu::always_inline]] inline Lanes<T, count> lane_numbers() {
+  return Lanes<T, count>([](auto lane) { return static_cast<T>(static_cast<int>(lane)); });
 }
 
 /// The first lanes; 0 in the others, for which nothing is read.
@@ -62,13 +65,13 @@ template <std::size_t count, class T>
 /// The lanes moved up by k, with those of `below` behind them.
 template <std::size_t k, class T>
 [[gnu::always_inline]] inline Pack<T> moved_up(const Pack<T>& lanes, const Pack<T>& below) {
-  typedef T Vector [[gnu::vector_size(tile_cells * sizeof(T))]];
+  typedef T Vector [[gnu::vector_size(tile_cells<T> * sizeof(T))]];
   return [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) {
     return std::bit_cast<Pack<T>>(
         __builtin_shufflevector(std::bit_cast<Vector>(below), std::bit_cast<Vector>(lanes),
-                                static_cast<int>(tile_cells - k + lane)...));
+                                static_cast<int>(tile_cells<T> - k + lane)...));
   }
-  (std::make_index_sequence<tile_cells>());
+  (std::make_index_sequence<tile_cells<T>>());
 }
 
 // The lambdas of the passes are always_inline: GCC takes the larger ones out of line, and all

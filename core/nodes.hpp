@@ -14,7 +14,7 @@ namespace scarp {
 /// tiles' entries in a fixed order, so no two threads ever write to the same place.
 template <int Dim, class Shape> struct TileSums {
   using T = typename Shape::Number;
-  using Order = CellOrder<Dim, Shape::width>;
+  using Order = CellOrder<Dim, Shape::width, tile_cells<T>>;
   using Lines = std::array<ColumnOf<T>, Order::lines>;
   using OfCells = std::array<Pack<T>, Shape::nodes>; ///< by corner, a number for each cell
 
@@ -56,7 +56,7 @@ template <int Dim, class Shape> struct TileSums {
       });
       T* entries = &to[line][Order::entry(tile)];
       store_lanes(whole, entries);
-      unrolled<Shape::width - 1>([&](auto k) { entries[tile_cells + k] = ends[k]; });
+      unrolled<Shape::width - 1>([&](auto k) { entries[tile_cells<T> + k] = ends[k]; });
     });
   }
 };
@@ -113,7 +113,8 @@ template <int Dim, class Shape> struct GridState {
   }
 
   GridState(const GridIndex<Dim>& grid, bool with_fraction) : tracks_fraction(with_fraction) {
-    const std::size_t n = static_cast<std::size_t>(grid.node_count) + tile_cells;
+    const std::size_t n =
+        static_cast<std::size_t>(grid.node_count) + tile_cells<typename Shape::Number>;
     nodes.m.resize(n);
     nodes.inv_m.resize(n);
     for (std::size_t i = 0; i < Dim; ++i) {

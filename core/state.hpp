@@ -22,7 +22,7 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   GridIndex<Dim> grid;
   Real half_point; ///< half the length of a point, in cells
   Particles<Dim, Number> particles;
-  CellOrder<Dim, Shape::width> order;
+  CellOrder<Dim, Shape::width, tile_cells<Number>> order;
   GridState<Dim, Shape> nodal;
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
@@ -54,13 +54,14 @@ void for_each_tile(const State<Dim, Shape>& state, Visit&& visit) {
 /// Calls visit(cell) for the occupied cells of a tile.
 template <int Dim, class Shape, class Visit>
 void for_each_cell_of(const State<Dim, Shape>& state, std::size_t tile, Visit&& visit) {
-  for (std::size_t lane = 0; lane < tile_cells; ++lane)
+  for (std::size_t lane = 0; lane < tile_cells<typename Shape::Number>; ++lane)
     if (const auto cell = state.order.cell(tile, lane); cell.count > 0) visit(cell);
 }
 
 /// Where the lanes of a tile lie, and which of them have points.
 template <int Dim, class Shape> class TileLanes {
   using T = typename Shape::Number;
+  using Places = Lanes<Real, tile_cells<T>>;
 
  public:
   [[gnu::always_inline]] TileLanes(const State<Dim, Shape>& state, std::size_t tile)
@@ -70,7 +71,7 @@ template <int Dim, class Shape> class TileLanes {
 
   std::size_t ranks() const { return tile_.ranks; }
   /// The first row of a rank.
-  std::size_t row(std::size_t rank) const { return tile_.row + rank * tile_cells; }
+  std::size_t row(std::size_t rank) const { return tile_.row + rank * tile_cells<T>; }
   /// Lanes with a point of this rank.
   [[gnu::always_inline]] auto filled(std::size_t rank) const {
     return count_ > static_cast<T>(rank);
@@ -87,9 +88,9 @@ template <int Dim, class Shape> class TileLanes {
   [[gnu::always_inline]] std::array<Pack<T>, Dim> local_position(std::size_t rank) const {
     std::array<Pack<T>, Dim> xi;
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
-      Pack<Real> own =
-          state_.grid.scaled(load_lanes(&state_.particles.x[i][row(rank)]), i) - stencil_.corner[i];
-      if constexpr (i == 0) own -= lane_numbers<Real>();
+      const Places x(&state_.particles.x[i][row(rank)], std::experimental::element_aligned);
+      Places own = state_.grid.scaled(x, i) - stencil_.corner[i];
+      if constexpr (i == 0) own -= lane_numbers<Real, tile_cells<T>>();
       xi[i] = std::experimental::static_simd_cast<Pack<T>>(own);
     });
     return xi;
@@ -105,7 +106,7 @@ template <int Dim, class Shape> class TileLanes {
 
  private:
   const State<Dim, Shape>& state_;
-  const typename CellOrder<Dim, Shape::width>::Tile& tile_;
+  const typename CellOrder<Dim, Shape::width, tile_cells<T>>::Tile& tile_;
   StencilCell<Dim> stencil_;
   Pack<T> count_;
 };

@@ -77,7 +77,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
  private:
   using AtNodes = std::array<Vec<Dim>, Shape::nodes>; ///< of a cell
   using Unknowns = std::vector<Real>;
-  using Cell = typename CellOrder<Dim, Shape::width>::Cell;
+  using Cell = typename CellOrder<Dim, Shape::width, tile_cells<typename Shape::Number>>::Cell;
   struct OccupiedCell : Cell {
     std::size_t first_point; ///< in tau_
   };

@@ -16,14 +16,14 @@ template <int Dim, int corners> struct CellTile {
 
 template <int Dim, class Shape>
 void clear_tile(std::size_t tile, typename TileSums<Dim, Shape>::Lines& sums) {
-  using Order = CellOrder<Dim, Shape::width>;
+  using Order = CellOrder<Dim, Shape::width, tile_cells<typename Shape::Number>>;
   for (auto& line : sums) std::fill_n(&line[Order::entry(tile)], Order::tile_entries, 0.0);
 }
 
 template <int Dim, class Shape>
-void add_to_tile(const typename CellOrder<Dim, Shape::width>::Cell& cell,
-                 const std::array<Real, Shape::nodes>& of_cell,
-                 typename TileSums<Dim, Shape>::Lines& to) {
+void add_to_tile(
+    const typename CellOrder<Dim, Shape::width, tile_cells<typename Shape::Number>>::Cell& cell,
+    const std::array<Real, Shape::nodes>& of_cell, typename TileSums<Dim, Shape>::Lines& to) {
   for (std::size_t c = 0; c < Shape::nodes; ++c)
     to[c / Shape::width][cell.entry + c % Shape::width] += of_cell[c];
 }
