@@ -9,11 +9,20 @@
 
 namespace scarp {
 
-/// Calls visit(outer, inner, the pair's number) for the active nodes of a side, on all threads.  No
-/// two pairs share a node.
+/// The pairs of nodes that a side acts on in this step.
+template <int Dim, class Shape>
+const auto& acting_pairs(const State<Dim, Shape>& state, std::size_t axis, std::size_t side) {
+  if constexpr (Shape::layout == NodeLayout::spline)
+    return state.contacts[axis][side];
+  else
+    return state.order.side_pairs(axis, side);
+}
+
+/// Calls visit(outer, inner, the pair's number) for the nodes that a side acts on, on all threads.
+/// No two pairs share a node.
 template <int Dim, class Shape, class Visit>
 void for_each_side_pair(const State<Dim, Shape>& state, const auto& side, Visit&& visit) {
-  const auto& pairs = state.order.side_pairs(side.axis, side.side);
+  const auto& pairs = acting_pairs(state, side.axis, side.side);
   const auto n = static_cast<std::int64_t>(pairs.size());
 #pragma omp parallel for schedule(static) if (n > 4096)
   for (std::int64_t k = 0; k < n; ++k) {
@@ -61,8 +70,8 @@ inline Real taken_work(Real before, Real after, Real impulse) {
 template <int Dim, class Shape>
 void forget_rubs(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   for (const auto& side : walls.friction())
-    state.nodal.rubs[side.axis][side.side].assign(
-        state.order.side_pairs(side.axis, side.side).size(), {});
+    state.nodal.rubs[side.axis][side.side].assign(acting_pairs(state, side.axis, side.side).size(),
+                                                  {});
 }
 
 /// Gives the velocity on friction sides, the mean of a pair's, the value left(side, rub, v), by an

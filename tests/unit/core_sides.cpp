@@ -1,4 +1,5 @@
 // B-splines at the sides of the grid: images of nodes, the step's bound, friction.
+#include "core/contact_pass.hpp"
 #include "core/lattice.hpp"
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
@@ -44,6 +45,7 @@ template <int Dim> struct Body {
 
   void gather_momenta() {
     state.order.update(state.particles);
+    touch_all(state);
     scatter_pass<Dim, Terms::mass_momentum>(state);
     gather_momentum_pass(state, walls);
   }
@@ -230,6 +232,7 @@ TEST(Sides, FrictionPushesBothNodesOfAPair) {
   body.move_at_random();
   for (Real& v : body.state.particles.v[1]) v -= 0.5; // downwards, most of them
   body.state.order.update(body.state.particles);
+  touch_all(body.state);
   scatter_pass<2, Terms::all>(body.state);
   // As it would be without the side.
   Scene open = scene;

@@ -1,0 +1,89 @@
+// Which nodes the sides of the grid act on: contact of a body with a side.
+//
+// Quadratic B-splines feel a side from a whole cell away.  If it acts there, a point at the
+// distance x, in cells, is held by only the part 2 - 2 x of its stress (d/dx of N_inner - N_outer +
+// N_next): with modulus K it bears a load q at 1 - x = (q/2K)^(1/3), with the stress (q/2)
+// (2K/q)^(1/3), which for a stiff body is many times the load.  So a side acts on a pair of nodes
+// only
+//
+//   from the step on in which a point that the pair reaches will have come within half a point of
+//   it, where its edge touches; with the point's velocity and the body force, so that it cannot
+//   pass the side in one step, until no point that the pair reaches is in the first cell,
+//
+// and not, or no more, on a body on its way there.  What has touched is held as it would be
+// anyway, both ways at fixed and symmetry sides.
+//
+// Whatever pairs act, they take part of the motion away by a projection in the metric of kinetic
+// energy (core/walls.hpp), so the step's bound holds; a contact that begins only takes energy, as
+// an impact without rebound of the nodes beside the side, and one that ends changes nothing.
+#pragma once
+
+#include "core/state.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace scarp {
+
+/// Whether a point of a cell beside a side touches the side within the step.
+template <int Dim, class Shape>
+bool touches(const State<Dim, Shape>& state, std::size_t slot, std::size_t axis, std::size_t side,
+             Real body_force, Real dt) {
+  constexpr Real rounding = 1e-6; // cells; a body that fills its cells lies at half a point
+  const GridIndex<Dim>& grid = state.grid;
+  for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+    const std::size_t p = state.order.row(k);
+    const Real x = grid.scaled(state.particles.x[axis][p], axis);
+    const Real v = state.particles.v[axis][p];
+    const Real gap = (side == 0 ? x : grid.cells[axis] - x) - state.half_point;
+    const Real approach = dt * ((side == 0 ? -v : v) + dt * body_force) * grid.inv_h;
+    if (gap <= std::max(approach, 0.0) + rounding) return true;
+  }
+  return false;
+}
+
+/// Finds the pairs that the sides act on in a step; `body_force`: its size, m/s2.
+template <int Dim, class Shape>
+void find_contacts_pass(State<Dim, Shape>& state, Real body_force, Real dt) {
+  if constexpr (Shape::layout == NodeLayout::spline) {
+    const GridIndex<Dim>& grid = state.grid;
+    const auto outer = [](const auto& pair) { return pair.outer; };
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+      for (std::size_t side = 0; side < 2; ++side) {
+        const auto& pairs = state.order.side_pairs(axis, side); // in the order of their nodes
+        auto& contacts = state.contacts[axis][side];
+        if (std::ranges::equal(contacts, pairs, {}, outer, outer)) continue;
+
+        std::vector<int> touched; // outer nodes
+        for (std::size_t slot = 0; slot < state.order.cells(); ++slot) {
+          const auto& place = state.order.place(slot);
+          if (place.along[axis] != (side == 0 ? 0 : grid.cells[axis] - 1)) continue;
+          if (!touches(state, slot, axis, side, body_force, dt)) continue;
+          for (std::size_t c = 0; c < Shape::nodes; ++c)
+            touched.push_back(place.first_node + grid.corner_offset[c]);
+        }
+        std::ranges::sort(touched);
+        const auto acts = [&](const auto& pair) {
+          // In a corner of the grid as on what it is an image of.
+          const int node = grid.inside(pair.outer, axis);
+          return std::ranges::binary_search(touched, node) ||
+                 std::ranges::binary_search(contacts, node, {}, outer);
+        };
+        std::remove_cvref_t<decltype(contacts)> now;
+        std::ranges::copy_if(pairs, std::back_inserter(now), acts);
+        contacts = std::move(now);
+      }
+  }
+}
+
+/// Lets sides act on all that they reach, as if it had touched them.
+template <int Dim, class Shape> void touch_all(State<Dim, Shape>& state) {
+  if constexpr (Shape::layout == NodeLayout::spline)
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+      for (std::size_t side = 0; side < 2; ++side)
+        state.contacts[axis][side] = state.order.side_pairs(axis, side);
+}
+
+} // namespace scarp
