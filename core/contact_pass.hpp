@@ -21,61 +21,76 @@
 #include "core/state.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
 namespace scarp {
 
-/// Whether a point of a cell beside a side touches the side within the step.
+/// Finds the pairs that the sides act on: those that a cell reaches in which a point is not farther
+/// from the side, in cells, than half_size(p) and the way that the fastest one makes, v = way(v).
 template <int Dim, class Shape>
-bool touches(const State<Dim, Shape>& state, std::size_t slot, std::size_t axis, std::size_t side,
-             Real body_force, Real dt) {
+void find_contacts(State<Dim, Shape>& state, const auto& half_size, const auto& way) {
   constexpr Real rounding = 1e-6; // cells; a body that fills its cells lies at half a point
   const GridIndex<Dim>& grid = state.grid;
-  for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
-    const std::size_t p = state.order.row(k);
-    const Real x = grid.scaled(state.particles.x[axis][p], axis);
-    const Real v = state.particles.v[axis][p];
-    const Real gap = (side == 0 ? x : grid.cells[axis] - x) - state.half_point;
-    const Real approach = dt * ((side == 0 ? -v : v) + dt * body_force) * grid.inv_h;
-    if (gap <= std::max(approach, 0.0) + rounding) return true;
-  }
-  return false;
+  const auto outer = [](const auto& pair) { return pair.outer; };
+  for (std::size_t axis = 0; axis < Dim; ++axis)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto& pairs = state.order.side_pairs(axis, side); // in the order of their nodes
+      auto& contacts = state.contacts[axis][side];
+      if (std::ranges::equal(contacts, pairs, {}, outer, outer)) continue;
+
+      const auto touches = [&](std::size_t slot) {
+        Real gap = 1.0, fastest = -std::numeric_limits<Real>::infinity();
+        for (std::size_t k = state.order.begin(slot); k < state.order.end(slot); ++k) {
+          const std::size_t p = state.order.row(k);
+          const Real x = grid.scaled(state.particles.x[axis][p], axis);
+          const Real v = state.particles.v[axis][p];
+          gap = std::min(gap, (side == 0 ? x : grid.cells[axis] - x) - half_size(p));
+          fastest = std::max(fastest, side == 0 ? -v : v);
+        }
+        return gap <= std::max(way(fastest), 0.0) + rounding;
+      };
+      std::vector<int> touched; // nodes
+      for (std::size_t slot = 0; slot < state.order.cells(); ++slot) {
+        const auto& place = state.order.place(slot);
+        if (place.along[axis] != (side == 0 ? 0 : grid.cells[axis] - 1) || !touches(slot)) continue;
+        for (std::size_t c = 0; c < Shape::nodes; ++c)
+          touched.push_back(place.first_node + grid.corner_offset[c]);
+      }
+      std::ranges::sort(touched);
+      const auto acts = [&](const auto& pair) {
+        // In a corner of the grid as on what it is an image of.
+        const int node = grid.inside(pair.outer, axis);
+        return std::ranges::binary_search(touched, node) ||
+               std::ranges::binary_search(contacts, node, {}, outer);
+      };
+      std::remove_cvref_t<decltype(contacts)> now;
+      std::ranges::copy_if(pairs, std::back_inserter(now), acts);
+      contacts = std::move(now);
+    }
 }
 
-/// Finds the pairs that the sides act on in a step; `body_force`: its size, m/s2.
+/// Before the first step: a body touches the sides that its lattice begins at, its cut squares as
+/// the others.
+template <int Dim, class Shape> void begin_contacts(State<Dim, Shape>& state) {
+  if constexpr (Shape::layout == NodeLayout::spline)
+    find_contacts(
+        state, [&](std::size_t) { return state.half_point; }, [](Real) { return 0.0; });
+}
+
+/// In a step; `body_force`: its size, m/s2.
 template <int Dim, class Shape>
 void find_contacts_pass(State<Dim, Shape>& state, Real body_force, Real dt) {
-  if constexpr (Shape::layout == NodeLayout::spline) {
-    const GridIndex<Dim>& grid = state.grid;
-    const auto outer = [](const auto& pair) { return pair.outer; };
-    for (std::size_t axis = 0; axis < Dim; ++axis)
-      for (std::size_t side = 0; side < 2; ++side) {
-        const auto& pairs = state.order.side_pairs(axis, side); // in the order of their nodes
-        auto& contacts = state.contacts[axis][side];
-        if (std::ranges::equal(contacts, pairs, {}, outer, outer)) continue;
-
-        std::vector<int> touched; // outer nodes
-        for (std::size_t slot = 0; slot < state.order.cells(); ++slot) {
-          const auto& place = state.order.place(slot);
-          if (place.along[axis] != (side == 0 ? 0 : grid.cells[axis] - 1)) continue;
-          if (!touches(state, slot, axis, side, body_force, dt)) continue;
-          for (std::size_t c = 0; c < Shape::nodes; ++c)
-            touched.push_back(place.first_node + grid.corner_offset[c]);
-        }
-        std::ranges::sort(touched);
-        const auto acts = [&](const auto& pair) {
-          // In a corner of the grid as on what it is an image of.
-          const int node = grid.inside(pair.outer, axis);
-          return std::ranges::binary_search(touched, node) ||
-                 std::ranges::binary_search(contacts, node, {}, outer);
-        };
-        std::remove_cvref_t<decltype(contacts)> now;
-        std::ranges::copy_if(pairs, std::back_inserter(now), acts);
-        contacts = std::move(now);
-      }
-  }
+  if constexpr (Shape::layout == NodeLayout::spline)
+    find_contacts(
+        state,
+        [&](std::size_t p) {
+          return 0.5 * std::pow(state.particles.V0[p], 1.0 / Dim) * state.grid.inv_h;
+        },
+        [&](Real v) { return dt * (v + dt * body_force) * state.grid.inv_h; });
 }
 
 /// Lets sides act on all that they reach, as if it had touched them.

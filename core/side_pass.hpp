@@ -74,10 +74,27 @@ void forget_rubs(State<Dim, Shape>& state, const Walls<Dim>& walls) {
                                                   {});
 }
 
+/// The sign of a node's velocity, by component, to that of the node inside that it is an image of.
+template <int Dim, class Shape>
+Vec<Dim> image_sign(const State<Dim, Shape>& state, const Walls<Dim>& walls, int node) {
+  Vec<Dim> sign;
+  sign.fill(1.0);
+  for (const auto& mirror : walls.mirrors()) {
+    const int along = state.grid.node_along(node, mirror.axis);
+    if (along != (mirror.side == 0 ? 0 : state.grid.nodes[mirror.axis] - 1)) continue;
+    const auto& pairs = acting_pairs(state, mirror.axis, mirror.side);
+    if (!std::ranges::binary_search(pairs, node, {}, [](const auto& pair) { return pair.outer; }))
+      continue;
+    for (std::size_t i = 0; i < Dim; ++i) sign[i] *= mirror.sign(i);
+  }
+  return sign;
+}
+
 /// Gives the velocity on friction sides, the mean of a pair's, the value left(side, rub, v), by an
-/// impulse that is the same for both nodes.  give(rub, node, i, change, impulse) is to change a
-/// component of a node's velocity and to add to rub.taken what friction's impulse of that (N s)
-/// takes.  Returns the sum, J.
+/// impulse that is the same for both nodes; images of a pair get the image of that, else a side
+/// would act on a body and its image at another side as if they moved apart, and push it through
+/// that side.  give(rub, node, i, change, impulse) is to change a component of a node's velocity
+/// and to add to rub.taken what friction's impulse of that (N s) takes.  Returns the sum, J.
 template <int Dim, class Shape>
 Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& left,
                 const auto& give) {
@@ -94,12 +111,14 @@ Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& l
       for (std::size_t i = 0; i < Dim; ++i) v[i] = 0.5 * (nodes.v[i][outer] + nodes.v[i][inner]);
       auto& rub = rubs[k];
       rub.taken = 0.0;
+      const Vec<Dim> sign = image_sign(state, walls, static_cast<int>(outer));
+      for (std::size_t i = 0; i < Dim; ++i) v[i] *= sign[i];
       const Vec<Dim> after = left(side, rub, v);
       // A change of the mean is one of `part` times as much of the node's.
       const auto push = [&](std::size_t node, Real part) {
         for (std::size_t i = 0; i < Dim; ++i)
-          give(rub, node, i, static_cast<T>(part * (after[i] - v[i])),
-               nodes.m[node] * part * rub.dv[i]);
+          give(rub, node, i, static_cast<T>(sign[i] * part * (after[i] - v[i])),
+               sign[i] * nodes.m[node] * part * rub.dv[i]);
       };
       if (outer == inner) return push(outer, 1.0);
       const Real whole = mass(outer) + mass(inner);

@@ -85,7 +85,10 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     begin_stage(start ? static_cast<std::size_t>(continued - stages_.begin()) : 0);
     state_.order.update(state_.particles);
     // A static solve has it so, and another run's state does not tell.
-    if (start || scene.method.initial_stress == InitialStress::equilibrium) touch_all(state_);
+    if (start || scene.method.initial_stress == InitialStress::equilibrium)
+      touch_all(state_);
+    else
+      begin_contacts(state_);
     if (!start && scene.method.initial_stress == InitialStress::equilibrium)
       equilibrium_ =
           StaticEquilibrium<Dim, Shape>(state_, walls_, materials_).find([this](std::size_t p) {

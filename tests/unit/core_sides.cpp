@@ -267,3 +267,30 @@ TEST(Sides, FrictionPushesBothNodesOfAPair) {
   EXPECT_GE(pushed, 4U);
   EXPECT_GT(taken, 0.0);
 }
+
+/// A friction side beside one with images, on a body that comes off it and is pressed against it:
+/// what it does to the images is the image of what it does to the body.
+TEST(Sides, FrictionKeepsImages) {
+  for (const auto base : {WallKind::fixed, WallKind::symmetry})
+    for (const auto side : {0U, 1U}) {
+      Scene scene = block<2>({3, 1, 4}, 2);
+      scene.grid.walls[0][side] = {WallKind::friction, 0.4};
+      scene.grid.walls[2][0] = {base};
+      Body<2> body(scene);
+      body.move_at_random();
+      const auto expect_images = [&] {
+        for (const int node : active_nodes(body.state)) {
+          const auto [of, sign] = source<2>(body.state.grid, scene, node);
+          for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_DOUBLE_EQ(body.state.nodal.nodes.v[i][static_cast<std::size_t>(node)],
+                             sign[i] * body.state.nodal.nodes.v[i][static_cast<std::size_t>(of)])
+                << node << ' ' << i;
+        }
+      };
+      body.gather_momenta();
+      expect_images();
+      scatter_pass<2, Terms::force>(body.state);
+      advance_momentum_pass(body.state, body.walls, {3.0, -5.0}, 0.0, 0.1);
+      expect_images();
+    }
+}
