@@ -132,6 +132,17 @@ Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& l
   return taken;
 }
 
+/// Stops the motion into friction sides.  What one takes is a component that no other takes, while
+/// friction takes all others': so this comes last, else friction on one side of a corner would push
+/// points through the other.
+template <int Dim, class Shape>
+void stop_at_sides(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& change) {
+  if (walls.friction().size() < 2) return;
+  push_pairs(
+      state, walls, [](const auto& side, auto&, const Vec<Dim>& v) { return side.hold_back(v); },
+      [&](auto&, std::size_t node, std::size_t i, auto by, Real) { change(node, i, by); });
+}
+
 /// Stops the motion into friction sides, and all motion on them where Coulomb's friction has done
 /// so in this step: a wall that holds velocities in one mapping and lets them go when they are
 /// mapped again would drive them along.  Returns what friction takes, J, with the velocities after
@@ -139,15 +150,18 @@ Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& l
 template <int Dim, class Shape>
 Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   auto& nodes = state.nodal.nodes;
-  return push_pairs(
+  const auto change = [&](std::size_t node, std::size_t i, auto by) { nodes.v[i][node] += by; };
+  const Real taken = push_pairs(
       state, walls,
       [](const auto& side, const auto& rub, const Vec<Dim>& v) {
         return rub.stuck ? Vec<Dim>{} : side.hold_back(v);
       },
-      [&](auto& rub, std::size_t node, std::size_t i, auto change, Real impulse) {
-        nodes.v[i][node] += change;
+      [&](auto& rub, std::size_t node, std::size_t i, auto by, Real impulse) {
+        change(node, i, by);
         rub.taken -= impulse * nodes.v[i][node];
       });
+  stop_at_sides(state, walls, change);
+  return taken;
 }
 
 /// Stops the motion into friction sides with Coulomb's friction, in the step's change of velocity
@@ -155,7 +169,11 @@ Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 template <int Dim, class Shape>
 Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   auto& nodes = state.nodal.nodes;
-  return push_pairs(
+  const auto change = [&](std::size_t node, std::size_t i, auto by) {
+    nodes.v[i][node] += by;
+    nodes.dv[i][node] += by;
+  };
+  const Real taken = push_pairs(
       state, walls,
       [](const auto& side, auto& rub, const Vec<Dim>& v) {
         const Vec<Dim> left = side.resist(v), without_friction = side.hold_back(v);
@@ -163,12 +181,13 @@ Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         rub.stuck = left == Vec<Dim>{} && left != v;
         return left;
       },
-      [&](auto& rub, std::size_t node, std::size_t i, auto change, Real impulse) {
+      [&](auto& rub, std::size_t node, std::size_t i, auto by, Real impulse) {
         const Real before = nodes.v[i][node] - nodes.dv[i][node];
-        nodes.v[i][node] += change;
-        nodes.dv[i][node] += change;
+        change(node, i, by);
         rub.taken += taken_work(before, nodes.v[i][node], -impulse);
       });
+  stop_at_sides(state, walls, change);
+  return taken;
 }
 
 } // namespace scarp

@@ -294,3 +294,20 @@ TEST(Sides, FrictionKeepsImages) {
       expect_images();
     }
 }
+
+/// In a corner of two friction sides neither's friction pushes through the other.
+TEST(Sides, FrictionOfOneDoesNotPushThroughTheOther) {
+  Scene scene = block<2>({4, 1, 4}, 2);
+  scene.grid.walls[0][0] = {WallKind::friction, 0.9};
+  scene.grid.walls[2][0] = {WallKind::friction, 0.9};
+  Body<2> body(scene);
+  body.move_at_random();
+  body.gather_momenta();
+  scatter_pass<2, Terms::force>(body.state);
+  advance_momentum_pass(body.state, body.walls, {-5.0, -5.0}, 0.0, 0.1);
+  for (const std::size_t axis : {0U, 1U}) {
+    const Column& v = body.state.nodal.nodes.v[axis];
+    for (const auto& [outer, inner] : body.state.order.side_pairs(axis, 0))
+      EXPECT_GE(v[static_cast<std::size_t>(outer)] + v[static_cast<std::size_t>(inner)], -1e-14);
+  }
+}
