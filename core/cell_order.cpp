@@ -16,7 +16,7 @@ void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
   if (particles.rows() > (ranks_ + ranks_ / 4 + 16) * tile_cells) return rebuild(particles);
   if (tiles_.size() == before) return;
   find_node_runs();
-  find_side_pairs();
+  find_sides();
 }
 
 template <int Dim, int width, std::size_t tile_cells>
@@ -187,7 +187,7 @@ void CellOrder<Dim, width, tile_cells>::rebuild(Particles<Dim, T>& particles) {
   }
   particles.rearrange(row, ranks_ * tile_cells);
   find_node_runs();
-  find_side_pairs();
+  find_sides();
 }
 
 template <int Dim, int width, std::size_t tile_cells>
@@ -230,11 +230,18 @@ void CellOrder<Dim, width, tile_cells>::find_node_runs() {
 }
 
 template <int Dim, int width, std::size_t tile_cells>
-void CellOrder<Dim, width, tile_cells>::find_side_pairs() {
+void CellOrder<Dim, width, tile_cells>::find_sides() {
   for (std::size_t axis = 0; axis < Dim; ++axis)
     for (std::size_t side = 0; side < 2; ++side) {
       side_pairs_[axis][side].clear();
+      side_tiles_[axis][side].clear();
       if (!grid_->acts[axis][side]) continue;
+      for (std::uint32_t slot = 0; slot < tiles_.size(); ++slot) {
+        const int first = tiles_[slot].along[axis];
+        const int last = axis == 0 ? std::min(first + lanes, grid_->cells[0]) - 1 : first;
+        if (side == 0 ? first == 0 : last == grid_->cells[axis] - 1)
+          side_tiles_[axis][side].push_back(slot);
+      }
       for (const auto& [outer, inner] : grid_->side_layers(axis, side))
         find_side_pairs(axis, outer, inner, side_pairs_[axis][side]);
     }

@@ -10,6 +10,11 @@
 
 namespace scarp {
 
+/// Nodes that a side acts on, with the mean velocity of the side: see GridIndex::side_layers.
+struct SidePair {
+  int outer, inner;
+};
+
 /// The occupied tiles: `tile_cells` cells that follow each other along x, from a multiple of it on.
 ///
 /// A tile owns rows of Particles, rank after rank: row + tile_cells * rank + lane is for the cell
@@ -58,12 +63,6 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
     std::array<std::uint32_t, lines> whole, ends;
   };
 
-  /// Active nodes that a side acts on, as pairs with the mean velocity of the side: see
-  /// GridIndex::side_layers.
-  struct SidePair {
-    int outer, inner;
-  };
-
   explicit CellOrder(const GridIndex<Dim>& grid) : grid_(&grid) {}
 
   /// Assigns every point to its cell.  All points must lie in the grid.
@@ -81,9 +80,13 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
   std::size_t entries() const { return entry(tiles_.size() + 1); }
 
   const std::vector<NodeRun>& node_runs() const { return runs_; }
-  /// Only of sides that act (GridIndex::acts).
+  /// Active nodes of a side that acts (GridIndex::acts), in the order of the outer ones.
   const std::vector<SidePair>& side_pairs(std::size_t axis, std::size_t side) const {
     return side_pairs_[axis][side];
+  }
+  /// The tiles with cells at such a side.
+  const std::vector<std::uint32_t>& side_tiles(std::size_t axis, std::size_t side) const {
+    return side_tiles_[axis][side];
   }
 
   /// Bytes kept from step to step.
@@ -91,6 +94,7 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
     std::size_t bytes = bytes_of(tiles_, slot_of_, runs_, run_of_, free_);
     for (const auto& rows : free_) bytes += bytes_of(rows);
     for (const auto& axis : side_pairs_) bytes += bytes_of(axis[0], axis[1]);
+    for (const auto& axis : side_tiles_) bytes += bytes_of(axis[0], axis[1]);
     return bytes;
   }
 
@@ -116,7 +120,7 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
   template <class T> void grow(Tile& tile, Particles<Dim, T>& particles);
   template <class T> void rebuild(Particles<Dim, T>& particles);
   void find_node_runs();
-  void find_side_pairs();
+  void find_sides();
   void find_side_pairs(std::size_t axis, int outer, int inner, std::vector<SidePair>& pairs) const;
 
   const GridIndex<Dim>* grid_;
@@ -127,6 +131,7 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
   std::vector<NodeRun> runs_;
   std::vector<std::uint32_t> run_of_; ///< in runs_, of all runs of the grid; or none
   std::array<std::array<std::vector<SidePair>, 2>, Dim> side_pairs_;
+  std::array<std::array<std::vector<std::uint32_t>, 2>, Dim> side_tiles_;
 };
 
 } // namespace scarp

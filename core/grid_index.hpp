@@ -4,6 +4,7 @@
 #include "core/scene.hpp"
 #include "core/types.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -87,6 +88,16 @@ template <int Dim> struct GridIndex {
   /// Nodes before a node along an axis.
   int node_along(int node, std::size_t axis) const {
     return node / node_stride[axis] % nodes[axis];
+  }
+
+  /// The node itself, or for one in the outermost layers the one next to it inside, along all axes
+  /// but `axis`.
+  int inside(int node, std::size_t axis) const {
+    for (std::size_t i = 0; i < Dim; ++i) {
+      const int along = node_along(node, i);
+      if (i != axis) node += (std::clamp(along, 1, nodes[i] - 2) - along) * node_stride[i];
+    }
+    return node;
   }
 
   /// First and last of the nodes along an axis that hold the velocity on a plane between cells: on

@@ -109,7 +109,10 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 /// Local damping: each component of the unbalanced force loses the part `damping` of its size
 /// against the motion (Cundall 1987).
 /// What damping and friction take is their force times the velocity that points and strain see:
-/// mostly this one, or (State::moves_with_strain) the remapped one, in remap_velocity_pass.
+/// mostly this one, or (State::moves_with_strain) the remapped one, in remap_velocity_pass.  Of
+/// damping D it is the mean with the one before the step, v: D's sign is that of -v, and where it
+/// turns the velocity round at every step, as it does at rest, it gives what it takes at the next
+/// one: sum D/2 (|v_n| + v_n/|v_n| v_n+1) >= - D/2 |v_last|.
 template <int Dim, class Shape>
 void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
                            const std::type_identity_t<Vec<Dim>>& gravity, Real damping, Real dt) {
@@ -143,12 +146,15 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       const Pack<T> v = load_lanes(&nodes.v[i][first]);
       store_lanes(v - before[i], &nodes.dv[i][first], run.count);
       if (damping == 0.0) continue;
-      if (state.moves_with_strain)
-        store_lanes(drag[i], &nodes.drag[i][first], run.count);
-      else // of what moves together, each node counts for its part of the mass
-        for (std::size_t k = 0; k < run.count; ++k)
-          state.nodal.damped[number_of_run] +=
-              nodes.m[first + k] * inv_m[k] * taken_work(before[i][k], v[k], -dt * drag[i][k]);
+      if (state.moves_with_strain) store_lanes(drag[i], &nodes.drag[i][first], run.count);
+      // Of what moves together, each node counts for its part of the mass.
+      for (std::size_t k = 0; k < run.count; ++k) {
+        const Real impulse = -dt * drag[i][k];
+        state.nodal.damped[number_of_run] +=
+            nodes.m[first + k] * inv_m[k] *
+            (state.moves_with_strain ? 0.5 * impulse * before[i][k]
+                                     : taken_work(before[i][k], v[k], impulse));
+      }
     }
   };
   sweep_nodes(
@@ -172,7 +178,7 @@ void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls, Real
     for (std::size_t n = static_cast<std::size_t>(run.node), end = n + run.count; n < end; ++n)
       for (std::size_t i = 0; i < Dim; ++i)
         state.nodal.damped[number] -=
-            nodes.m[n] * nodes.inv_m[n] * dt * nodes.drag[i][n] * nodes.v[i][n];
+            0.5 * nodes.m[n] * nodes.inv_m[n] * dt * nodes.drag[i][n] * nodes.v[i][n];
   });
 }
 

@@ -9,11 +9,20 @@
 
 namespace scarp {
 
-/// Calls visit(outer, inner, the pair's number) for the active nodes of a side, on all threads.  No
-/// two pairs share a node.
+/// The pairs of nodes that a side acts on in this step.
+template <int Dim, class Shape>
+const auto& acting_pairs(const State<Dim, Shape>& state, std::size_t axis, std::size_t side) {
+  if constexpr (Shape::layout == NodeLayout::spline)
+    return state.contacts[axis][side];
+  else
+    return state.order.side_pairs(axis, side);
+}
+
+/// Calls visit(outer, inner, the pair's number) for the nodes that a side acts on, on all threads.
+/// No two pairs share a node.
 template <int Dim, class Shape, class Visit>
 void for_each_side_pair(const State<Dim, Shape>& state, const auto& side, Visit&& visit) {
-  const auto& pairs = state.order.side_pairs(side.axis, side.side);
+  const auto& pairs = acting_pairs(state, side.axis, side.side);
   const auto n = static_cast<std::int64_t>(pairs.size());
 #pragma omp parallel for schedule(static) if (n > 4096)
   for (std::int64_t k = 0; k < n; ++k) {
@@ -61,14 +70,31 @@ inline Real taken_work(Real before, Real after, Real impulse) {
 template <int Dim, class Shape>
 void forget_rubs(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   for (const auto& side : walls.friction())
-    state.nodal.rubs[side.axis][side.side].assign(
-        state.order.side_pairs(side.axis, side.side).size(), {});
+    state.nodal.rubs[side.axis][side.side].assign(acting_pairs(state, side.axis, side.side).size(),
+                                                  {});
+}
+
+/// The sign of a node's velocity, by component, to that of the node inside that it is an image of.
+template <int Dim, class Shape>
+Vec<Dim> image_sign(const State<Dim, Shape>& state, const Walls<Dim>& walls, int node) {
+  Vec<Dim> sign;
+  sign.fill(1.0);
+  for (const auto& mirror : walls.mirrors()) {
+    const int along = state.grid.node_along(node, mirror.axis);
+    if (along != (mirror.side == 0 ? 0 : state.grid.nodes[mirror.axis] - 1)) continue;
+    const auto& pairs = acting_pairs(state, mirror.axis, mirror.side);
+    if (!std::ranges::binary_search(pairs, node, {}, [](const auto& pair) { return pair.outer; }))
+      continue;
+    for (std::size_t i = 0; i < Dim; ++i) sign[i] *= mirror.sign(i);
+  }
+  return sign;
 }
 
 /// Gives the velocity on friction sides, the mean of a pair's, the value left(side, rub, v), by an
-/// impulse that is the same for both nodes.  give(rub, node, i, change, impulse) is to change a
-/// component of a node's velocity and to add to rub.taken what friction's impulse of that (N s)
-/// takes.  Returns the sum, J.
+/// impulse that is the same for both nodes; images of a pair get the image of that, else a side
+/// would act on a body and its image at another side as if they moved apart, and push it through
+/// that side.  give(rub, node, i, change, impulse) is to change a component of a node's velocity
+/// and to add to rub.taken what friction's impulse of that (N s) takes.  Returns the sum, J.
 template <int Dim, class Shape>
 Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& left,
                 const auto& give) {
@@ -85,12 +111,14 @@ Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& l
       for (std::size_t i = 0; i < Dim; ++i) v[i] = 0.5 * (nodes.v[i][outer] + nodes.v[i][inner]);
       auto& rub = rubs[k];
       rub.taken = 0.0;
+      const Vec<Dim> sign = image_sign(state, walls, static_cast<int>(outer));
+      for (std::size_t i = 0; i < Dim; ++i) v[i] *= sign[i];
       const Vec<Dim> after = left(side, rub, v);
       // A change of the mean is one of `part` times as much of the node's.
       const auto push = [&](std::size_t node, Real part) {
         for (std::size_t i = 0; i < Dim; ++i)
-          give(rub, node, i, static_cast<T>(part * (after[i] - v[i])),
-               nodes.m[node] * part * rub.dv[i]);
+          give(rub, node, i, static_cast<T>(sign[i] * part * (after[i] - v[i])),
+               sign[i] * nodes.m[node] * part * rub.dv[i]);
       };
       if (outer == inner) return push(outer, 1.0);
       const Real whole = mass(outer) + mass(inner);
@@ -104,6 +132,17 @@ Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& l
   return taken;
 }
 
+/// Stops the motion into friction sides.  What one takes is a component that no other takes, while
+/// friction takes all others': so this comes last, else friction on one side of a corner would push
+/// points through the other.
+template <int Dim, class Shape>
+void stop_at_sides(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& change) {
+  if (walls.friction().size() < 2) return;
+  push_pairs(
+      state, walls, [](const auto& side, auto&, const Vec<Dim>& v) { return side.hold_back(v); },
+      [&](auto&, std::size_t node, std::size_t i, auto by, Real) { change(node, i, by); });
+}
+
 /// Stops the motion into friction sides, and all motion on them where Coulomb's friction has done
 /// so in this step: a wall that holds velocities in one mapping and lets them go when they are
 /// mapped again would drive them along.  Returns what friction takes, J, with the velocities after
@@ -111,15 +150,18 @@ Real push_pairs(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto& l
 template <int Dim, class Shape>
 Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   auto& nodes = state.nodal.nodes;
-  return push_pairs(
+  const auto change = [&](std::size_t node, std::size_t i, auto by) { nodes.v[i][node] += by; };
+  const Real taken = push_pairs(
       state, walls,
       [](const auto& side, const auto& rub, const Vec<Dim>& v) {
         return rub.stuck ? Vec<Dim>{} : side.hold_back(v);
       },
-      [&](auto& rub, std::size_t node, std::size_t i, auto change, Real impulse) {
-        nodes.v[i][node] += change;
+      [&](auto& rub, std::size_t node, std::size_t i, auto by, Real impulse) {
+        change(node, i, by);
         rub.taken -= impulse * nodes.v[i][node];
       });
+  stop_at_sides(state, walls, change);
+  return taken;
 }
 
 /// Stops the motion into friction sides with Coulomb's friction, in the step's change of velocity
@@ -127,7 +169,11 @@ Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 template <int Dim, class Shape>
 Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   auto& nodes = state.nodal.nodes;
-  return push_pairs(
+  const auto change = [&](std::size_t node, std::size_t i, auto by) {
+    nodes.v[i][node] += by;
+    nodes.dv[i][node] += by;
+  };
+  const Real taken = push_pairs(
       state, walls,
       [](const auto& side, auto& rub, const Vec<Dim>& v) {
         const Vec<Dim> left = side.resist(v), without_friction = side.hold_back(v);
@@ -135,12 +181,13 @@ Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         rub.stuck = left == Vec<Dim>{} && left != v;
         return left;
       },
-      [&](auto& rub, std::size_t node, std::size_t i, auto change, Real impulse) {
+      [&](auto& rub, std::size_t node, std::size_t i, auto by, Real impulse) {
         const Real before = nodes.v[i][node] - nodes.dv[i][node];
-        nodes.v[i][node] += change;
-        nodes.dv[i][node] += change;
+        change(node, i, by);
         rub.taken += taken_work(before, nodes.v[i][node], -impulse);
       });
+  stop_at_sides(state, walls, change);
+  return taken;
 }
 
 } // namespace scarp

@@ -5,6 +5,7 @@
 #include "core/simulation.hpp"
 
 #include "core/body_force_pass.hpp"
+#include "core/contact_pass.hpp"
 #include "core/fields.hpp"
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
@@ -83,6 +84,11 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     if (start) take_over(*start);
     begin_stage(start ? static_cast<std::size_t>(continued - stages_.begin()) : 0);
     state_.order.update(state_.particles);
+    // A static solve has it so, and another run's state does not tell.
+    if (start || scene.method.initial_stress == InitialStress::equilibrium)
+      touch_all(state_);
+    else
+      begin_contacts(state_);
     if (!start && scene.method.initial_stress == InitialStress::equilibrium)
       equilibrium_ =
           StaticEquilibrium<Dim, Shape>(state_, walls_, materials_).find([this](std::size_t p) {
@@ -99,6 +105,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     walls_.open_gates(time_);
     if (loads_.vary()) loads_.update(time_);
     state_.order.update(state_.particles);
+    find_contacts_pass(state_, loads_.largest(), dt);
     done(Phase::sort);
 
     if (scheme == Scheme::usf) {

@@ -24,6 +24,10 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   Particles<Dim, Number> particles;
   CellOrder<Dim, Shape::width, tile_cells<Number>> order;
   GridState<Dim, Shape> nodal;
+  /// Of B-splines, by axis and side: the pairs of CellOrder that the side acts on in this step, see
+  /// core/contact_pass.hpp.
+  std::array<std::array<std::vector<SidePair>, 2>, Dim> contacts;
+  std::vector<std::uint8_t> marks; ///< by node; scratch of it
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
   /// Whether points move with the velocity that strains them, the remapped one: see
@@ -37,7 +41,11 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
     particles.for_each_column([](auto& column) { column.shrink_to_fit(); });
   }
   /// Bytes.
-  std::size_t memory() const { return particles.memory() + order.memory() + nodal.memory(); }
+  std::size_t memory() const {
+    std::size_t bytes = particles.memory() + order.memory() + nodal.memory() + bytes_of(marks);
+    for (const auto& of_axis : contacts) bytes += bytes_of(of_axis[0], of_axis[1]);
+    return bytes;
+  }
 
   State(const State&) = delete; // `order` points to `grid`
   State& operator=(const State&) = delete;

@@ -1,6 +1,7 @@
 // Speed of the passes of a step and of a whole step, on a block of 12 800 points that has begun to
 // collapse.  items_per_second is points per second.  The threads are OpenMP's (OMP_NUM_THREADS);
 // real time is measured, not the processor time of one of them.
+#include "core/contact_pass.hpp"
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
 #include "core/node_pass.hpp"
@@ -70,6 +71,7 @@ template <int Dim, class Shape> struct Passes {
     walls.open_gates(0.0);
     for (int step = 0; step < 200; ++step) {
       state.order.update(state.particles);
+      find_contacts_pass(state, 9.81, dt);
       scatter();
       gather_momentum_pass(state, walls);
       advance_momentum_pass(state, walls, gravity, 0.0, dt);

@@ -1,4 +1,5 @@
 // B-splines at the sides of the grid: images of nodes, the step's bound, friction.
+#include "core/contact_pass.hpp"
 #include "core/lattice.hpp"
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
@@ -45,6 +46,7 @@ template <int Dim> struct Body {
 
   void gather_momenta() {
     state.order.update(state.particles);
+    touch_all(state);
     scatter_pass<Dim, Terms::mass_momentum>(state);
     gather_momentum_pass(state, walls);
   }
@@ -231,6 +233,7 @@ TEST(Sides, FrictionPushesBothNodesOfAPair) {
   body.move_at_random();
   for (Real& v : body.state.particles.v[1]) v -= 0.5; // downwards, most of them
   body.state.order.update(body.state.particles);
+  touch_all(body.state);
   scatter_pass<2, Terms::all>(body.state);
   // As it would be without the side.
   Scene open = scene;
@@ -264,4 +267,48 @@ TEST(Sides, FrictionPushesBothNodesOfAPair) {
   }
   EXPECT_GE(pushed, 4U);
   EXPECT_GT(taken, 0.0);
+}
+
+/// A friction side beside one with images, on a body that comes off it and is pressed against it:
+/// what it does to the images is the image of what it does to the body.
+TEST(Sides, FrictionKeepsImages) {
+  for (const auto base : {WallKind::fixed, WallKind::symmetry})
+    for (const auto side : {0U, 1U}) {
+      Scene scene = block<2>({3, 1, 4}, 2);
+      scene.grid.walls[0][side] = {WallKind::friction, 0.4};
+      scene.grid.walls[2][0] = {base};
+      Body<2> body(scene);
+      body.move_at_random();
+      const auto expect_images = [&] {
+        for (const int node : active_nodes(body.state)) {
+          const auto [of, sign] = source<2>(body.state.grid, scene, node);
+          for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_DOUBLE_EQ(body.state.nodal.nodes.v[i][static_cast<std::size_t>(node)],
+                             sign[i] * body.state.nodal.nodes.v[i][static_cast<std::size_t>(of)])
+                << node << ' ' << i;
+        }
+      };
+      body.gather_momenta();
+      expect_images();
+      scatter_pass<2, Terms::force>(body.state);
+      advance_momentum_pass(body.state, body.walls, {3.0, -5.0}, 0.0, 0.1);
+      expect_images();
+    }
+}
+
+/// In a corner of two friction sides neither's friction pushes through the other.
+TEST(Sides, FrictionOfOneDoesNotPushThroughTheOther) {
+  Scene scene = block<2>({4, 1, 4}, 2);
+  scene.grid.walls[0][0] = {WallKind::friction, 0.9};
+  scene.grid.walls[2][0] = {WallKind::friction, 0.9};
+  Body<2> body(scene);
+  body.move_at_random();
+  body.gather_momenta();
+  scatter_pass<2, Terms::force>(body.state);
+  advance_momentum_pass(body.state, body.walls, {-5.0, -5.0}, 0.0, 0.1);
+  for (const std::size_t axis : {0U, 1U}) {
+    const Column& v = body.state.nodal.nodes.v[axis];
+    for (const auto& [outer, inner] : body.state.order.side_pairs(axis, 0))
+      EXPECT_GE(v[static_cast<std::size_t>(outer)] + v[static_cast<std::size_t>(inner)], -1e-14);
+  }
 }
