@@ -5,6 +5,7 @@
 #include "core/scatter_pass.hpp"
 #include "core/simulation.hpp"
 #include "core/spline_shape.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,10 @@ struct Point {
 
   /// Places in cells.
   bool base_acts(double x, double z, double v = 0.0, double body_force = 0.0) {
-    state.particles.x = {Column{x * h}, Column{z * h}};
-    state.particles.v = {Column{0.0}, Column{v}};
+    const std::size_t row = rows_of(state.particles).front();
+    state.particles.x[0][row] = x * h;
+    state.particles.x[1][row] = z * h;
+    state.particles.v[1][row] = v;
     state.order.update(state.particles);
     find_contacts_pass(state, body_force, dt);
     return !state.contacts[1][0].empty();

@@ -46,8 +46,9 @@ std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine)
   const auto anywhere = [&](std::size_t p) {
     for (std::size_t i = 0; i < Dim; ++i) {
       const double part = random.between(0.0, 0.999);
-      points.x[i][p] = state->grid.lower[i] +
-                       0.5 * state->grid.cells[i] * (p % 4 == 0 ? part : part * part * part);
+      points.x[i][p] =
+          state->grid.lower[i] +
+          0.5 * state->grid.cells[i] * (points.id[p] % 4 == 0 ? part : part * part * part);
     }
   };
   for (const std::size_t p : rows_of(points)) {
@@ -63,9 +64,9 @@ std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine)
     points.region[p] = p % 2;
   }
   state->order.update(points);
-  int count = 0;
-  for (const std::size_t p : rows_of(points))
-    if (count++ % 41 == 0) anywhere(p);
+  std::vector<std::size_t> row_of(rows_of(points).size());
+  for (const std::size_t p : rows_of(points)) row_of[points.id[p]] = p;
+  for (std::size_t id = 0; id < row_of.size(); id += 41) anywhere(row_of[id]);
   state->order.update(points);
   auto& nodes = state->nodal.nodes;
   for (std::size_t n = 0; n < nodes.m.size(); ++n) {
@@ -76,9 +77,9 @@ std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine)
   return state;
 }
 
-/// Of numbers in the precision of `a`: one part in 10^13, or in 10^5 (sums cancel).
+/// Of numbers in the precision of T: one part in 10^13, or in 10^5 (sums cancel).
 template <class T>
-void expect_same(const ColumnOf<T>& a, const Column& b, const char* what,
+void expect_same(const std::vector<double>& a, const std::vector<double>& b, const char* what,
                  double tolerance = 1e-13) {
   if (std::is_same_v<T, float>) tolerance = 2e-5;
   ASSERT_EQ(a.size(), b.size());
@@ -86,30 +87,59 @@ void expect_same(const ColumnOf<T>& a, const Column& b, const char* what,
     ASSERT_NEAR(a[k], b[k], tolerance * (1.0 + std::abs(b[k]))) << what << ' ' << k;
 }
 
+/// By id: rows differ where tiles have another number of cells.
+template <int Dim, class T>
+std::vector<double> by_id(const Particles<Dim, T>& points, const ColumnOf<T>& column) {
+  const std::vector<std::size_t> rows = rows_of(points);
+  std::vector<double> values(rows.size());
+  for (const std::size_t p : rows) values.at(points.id[p]) = column[p];
+  return values;
+}
+
+/// By node, what all tiles give.
+template <int Dim, class Shape>
+std::vector<double> by_node(const State<Dim, Shape>& state,
+                            const typename TileSums<Dim, Shape>::Lines& lines) {
+  const auto& tiles = state.order.tiles();
+  std::vector<double> sums(state.nodal.nodes.m.size() + 16, 0.0);
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      for (std::size_t e = 0; e < state.order.tile_entries; ++e)
+        sums[static_cast<std::size_t>(tiles[tile].first_node +
+                                      state.grid.corner_offset[line * Shape::width]) +
+             e] += lines[line][state.order.entry(tile) + e];
+  sums.resize(static_cast<std::size_t>(state.grid.node_count));
+  return sums;
+}
+
 template <int Dim, class Shape, class Plain>
 void expect_same(const State<Dim, Shape>& a, const State<Dim, Plain>& b, bool with_sums) {
-  for (std::size_t i = 0; i < Dim; ++i) {
-    expect_same(a.particles.v[i], b.particles.v[i], "v");
-    expect_same(a.particles.dx[i], b.particles.dx[i], "dx");
-  }
-  for (std::size_t i = 0; i < a.particles.C.size(); ++i)
-    expect_same(a.particles.C[i], b.particles.C[i], "C", 1e-12);
-  for (std::size_t i = 0; i < a.particles.tau.size(); ++i)
-    expect_same(a.particles.tau[i], b.particles.tau[i], "tau");
-  expect_same(a.particles.J, b.particles.J, "J");
-  expect_same(a.particles.gap, b.particles.gap, "gap");
-  expect_same(a.particles.plastic_strain, b.particles.plastic_strain, "plastic strain");
-  expect_same(a.particles.dissipation, b.particles.dissipation, "dissipation");
-  if (!with_sums) return;
-  const auto same_lines = [](const auto& lines, const auto& others, const char* what) {
-    for (std::size_t line = 0; line < lines.size(); ++line)
-      expect_same(lines[line], others[line], what, 1e-11);
+  using T = typename Shape::Number;
+  const auto same = [&](const ColumnOf<T>& column, const Column& other, const char* what,
+                        double tolerance = 1e-13) {
+    expect_same<T>(by_id(a.particles, column), by_id(b.particles, other), what, tolerance);
   };
-  same_lines(a.nodal.sums.m, b.nodal.sums.m, "m");
-  same_lines(a.nodal.sums.V0, b.nodal.sums.V0, "V0");
   for (std::size_t i = 0; i < Dim; ++i) {
-    same_lines(a.nodal.sums.mv[i], b.nodal.sums.mv[i], "m v");
-    same_lines(a.nodal.sums.f[i], b.nodal.sums.f[i], "f");
+    same(a.particles.v[i], b.particles.v[i], "v");
+    same(a.particles.dx[i], b.particles.dx[i], "dx");
+  }
+  for (std::size_t i = 0; a.particles.affine() && i < a.particles.C.size(); ++i)
+    same(a.particles.C[i], b.particles.C[i], "C", 1e-12);
+  for (std::size_t i = 0; i < a.particles.tau.size(); ++i)
+    same(a.particles.tau[i], b.particles.tau[i], "tau");
+  same(a.particles.J, b.particles.J, "J");
+  same(a.particles.gap, b.particles.gap, "gap");
+  same(a.particles.plastic_strain, b.particles.plastic_strain, "plastic strain");
+  same(a.particles.dissipation, b.particles.dissipation, "dissipation");
+  if (!with_sums) return;
+  const auto same_sums = [&](const auto& lines, const auto& others, const char* what) {
+    expect_same<T>(by_node(a, lines), by_node(b, others), what, 1e-11);
+  };
+  same_sums(a.nodal.sums.m, b.nodal.sums.m, "m");
+  same_sums(a.nodal.sums.V0, b.nodal.sums.V0, "V0");
+  for (std::size_t i = 0; i < Dim; ++i) {
+    same_sums(a.nodal.sums.mv[i], b.nodal.sums.mv[i], "m v");
+    same_sums(a.nodal.sums.f[i], b.nodal.sums.f[i], "f");
   }
 }
 
