@@ -77,7 +77,7 @@ last_line() { # LOG
 
 # The end of a log without what went well.
 show_failure() { # LOG
-  grep -vE '^\[[0-9]+/[0-9]+\] (Build|clang-tidy)|warnings generated|^ +Start |  Passed  ' "$1" |
+  grep -vE '^\[[0-9]+/[0-9]+\] Build|^clang-tidy-|warnings generated|^ +Start |  Passed  ' "$1" |
     tail -n 150 >&2
 }
 
@@ -165,10 +165,6 @@ check_format() {
     xargs -0 clang-format --dry-run -Werror
 }
 
-build_with_sanitizers() {
-  cmake --preset sanitize && cmake --build --preset sanitize -j "$processors"
-}
-
 run_demo() {
   set_up "${program_packages[@]}"
   build_program
@@ -182,9 +178,10 @@ run_tests() {
   stage format "check formatting (clang-format)" check_format
   stage configure "configure build/ (Release, warnings are errors)" cmake --preset ci
   stage build "build program and tests" cmake --build --preset ci -j "$processors"
-  stage tidy "check sources (clang-tidy)" cmake --build --preset ci -j "$processors" --target tidy -- -k 0
+  stage sanitize-configure "configure build/sanitize/ (sanitizers, sources joined)" cmake --preset sanitize
+  stage tidy "check sources (clang-tidy)" cmake --build build/sanitize --target tidy
   stage sanitize-build "build unit and image tests with address and undefined-behaviour sanitizers" \
-    build_with_sanitizers
+    cmake --build --preset sanitize -j "$processors"
   stage sanitize "run them" ctest --preset sanitize
   say "logs of these stages: $logs/; pictures that differ: build/tests/image/results/"
   say "run all tests of build/ (ctest --preset ci)"

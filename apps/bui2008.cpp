@@ -36,7 +36,7 @@ struct Measures {
   std::size_t thrown = 0;
 };
 
-Measures measure(const io::Frame& last, const io::Table& surface, const io::Table& failure) {
+Measures measure_pile(const io::Frame& last, const io::Table& surface, const io::Table& failure) {
   const render::BodyShape body = render::measure_body(last);
   return {render::surface_error(body, surface),
           render::failure_error(render::failure_line(last), failure), body.run_out,
@@ -114,7 +114,7 @@ void reproduce_bui2008(const Bui2008Options& options) {
   const io::SeriesReader series(options.out / "bui2008.pvd");
   const io::Table history = io::read_table(options.out / "history.csv");
   const io::Frame last = series.read(series.size() - 1);
-  const Measures measures = measure(last, surface, failure);
+  const Measures measures = measure_pile(last, surface, failure);
   const double work = last_of(history, "gravity_work_J_per_m");
   const double loss = last_of(history, "scheme_loss_J_per_m");
   const double front = surface.column("x_m").back();

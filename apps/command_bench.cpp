@@ -3,6 +3,7 @@
 #include "apps/bench/accuracy.hpp"
 #include "apps/bench/speed.hpp"
 #include "apps/commands.hpp"
+#include "apps/usage.hpp"
 
 #include <memory>
 

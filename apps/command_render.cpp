@@ -3,6 +3,7 @@
 #include "apps/render_jobs.hpp"
 #include "apps/render_part.hpp"
 
+#include "apps/usage.hpp"
 #include "io/series.hpp"
 #include "render/frame_figure.hpp"
 
@@ -61,7 +62,7 @@ std::vector<std::size_t> chosen_frames(const std::string& words, std::size_t cou
   return frames;
 }
 
-struct Options {
+struct RenderArguments {
   std::filesystem::path series;
   std::filesystem::path out;
   render::FrameStyle style;
@@ -82,7 +83,7 @@ void require_column(const io::Frame& frame, const std::string& name) {
 
 /// One range and one view for the whole series, whichever frames are drawn of it.
 RenderPart whole_series(const io::SeriesReader& series, std::vector<std::size_t> frames,
-                        const Options& options) {
+                        const RenderArguments& options) {
   const render::FrameStyle& style = options.style;
   std::optional<render::ValueSpread> spread;
   std::optional<render::Box> view;
@@ -127,7 +128,7 @@ std::vector<std::string> words_of(const CLI::App& command) {
   return words;
 }
 
-void render_series(Options options, const std::vector<std::string>& words) {
+void render_series(RenderArguments options, const std::vector<std::string>& words) {
   const io::SeriesReader series(options.series);
   options.style.colours = render::colour_map(options.colours);
   if (options.out.empty())
@@ -162,7 +163,7 @@ void render_series(Options options, const std::vector<std::string>& words) {
 } // namespace
 
 void add_render(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderArguments>();
   CLI::App* command = program.add_subcommand("render", "Draw frames of a series as PNG pictures.");
   command->add_option("series", options->series, "Directory of a run, or its .pvd file")
       ->required();

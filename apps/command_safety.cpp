@@ -3,6 +3,7 @@
 #include "apps/safety.hpp"
 #include "apps/safety_search.hpp"
 
+#include "apps/usage.hpp"
 #include "core/version.hpp"
 #include "io/json_record.hpp"
 #include "io/scene_file.hpp"
@@ -24,7 +25,7 @@ namespace scarp::apps {
 
 namespace {
 
-struct Options {
+struct SafetyArguments {
   std::filesystem::path scene;
   std::filesystem::path out;
   std::vector<std::string> set;
@@ -45,7 +46,7 @@ const char* word(Verdict verdict) {
   return "still moving";
 }
 
-void check(const Options& options) {
+void check(const SafetyArguments& options) {
   const auto above = [](const char* name, double value, double bound) {
     if (!(value > bound))
       throw UsageError(fmt::format("{}: is {}; must be above {}", name, value, bound));
@@ -120,7 +121,7 @@ void draw_failure(const std::filesystem::path& file, const Trial& trial) {
   render::write_png(file, render::render_frame(trial.frame, style));
 }
 
-nlohmann::ordered_json record_of(const Options& options, const StrengthReduction& body,
+nlohmann::ordered_json record_of(const SafetyArguments& options, const StrengthReduction& body,
                                  const Bracket& bracket, const std::vector<Trial>& trials,
                                  const Scene& scene) {
   const auto or_null = [](const std::optional<double>& value) {
@@ -148,7 +149,7 @@ nlohmann::ordered_json record_of(const Options& options, const StrengthReduction
   return record;
 }
 
-void find_safety(const Options& options) {
+void find_safety(const SafetyArguments& options) {
   check(options);
   const Scene scene = io::read_scene(options.scene, options.set);
   if (options.threads > 0) omp_set_num_threads(options.threads);
@@ -203,7 +204,7 @@ void find_safety(const Options& options) {
 } // namespace
 
 void add_safety(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SafetyArguments>();
   CLI::App* command =
       program.add_subcommand("safety", "Find a scene's factor of safety by strength reduction.");
   command->add_option("scene", options->scene, "Scene file (TOML); `scarp options` lists its keys")

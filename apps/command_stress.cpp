@@ -3,6 +3,7 @@
 #include "apps/stress_run.hpp"
 #include "apps/study_progress.hpp"
 
+#include "apps/usage.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scene_file.hpp"
 
@@ -15,7 +16,7 @@ namespace scarp::apps {
 
 namespace {
 
-struct Options {
+struct StressArguments {
   std::size_t scenes = 2000;
   std::uint64_t seed = 1;
   Preset preset = Preset::accurate;
@@ -28,7 +29,7 @@ std::size_t count(const std::vector<StressResult>& results, StressEnd end) {
 }
 
 /// Writes the scene, from the directory of results on DIR/failed/NNNN.toml.
-std::string write_scene(const Options& options, std::size_t number) {
+std::string write_scene(const StressArguments& options, std::size_t number) {
   std::string name = fmt::format("failed/{:04}.toml", number);
   make_directory(options.out / "failed");
   io::write_atomically(options.out / name,
@@ -36,7 +37,7 @@ std::string write_scene(const Options& options, std::size_t number) {
   return name;
 }
 
-nlohmann::ordered_json failure_json(const Options& options, const StressResult& result) {
+nlohmann::ordered_json failure_json(const StressArguments& options, const StressResult& result) {
   const StressFailure& failure = *result.failure;
   return {{"scene", result.number},
           {"family", result.family},
@@ -82,7 +83,7 @@ void print_table(const std::vector<StressResult>& results) {
   for (const auto& [check, part] : rest) fmt::print("{:9}{:8}  {:.2g} of it\n", check, 0, part);
 }
 
-void report(const Options& options, const std::vector<StressResult>& results, double wall) {
+void report(const StressArguments& options, const std::vector<StressResult>& results, double wall) {
   const std::size_t refused = count(results, StressEnd::refused);
   const std::size_t left = count(results, StressEnd::left_grid);
   const std::size_t failed = count(results, StressEnd::failed);
@@ -102,7 +103,7 @@ void report(const Options& options, const std::vector<StressResult>& results, do
   fmt::print("{}\n", summary);
 }
 
-void run(const Options& options) {
+void run(const StressArguments& options) {
   make_directory(options.out);
   std::filesystem::remove_all(options.out / "failed"); // of an earlier call
   StudyProgress progress;
@@ -122,7 +123,7 @@ void run(const Options& options) {
 } // namespace
 
 void add_stress(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StressArguments>();
   CLI::App* command =
       program.add_subcommand("stress", "Try the solver's stability on seeded random scenes.");
   command->add_option("--out", options->out, "Directory for stress.json and the scenes that failed")

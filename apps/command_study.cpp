@@ -3,6 +3,7 @@
 #include "apps/study_results.hpp"
 #include "apps/study_runner.hpp"
 
+#include "apps/usage.hpp"
 #include "io/text.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace scarp::apps {
 
 namespace {
 
-struct Options {
+struct StudyArguments {
   std::filesystem::path study;
   std::string shard;
   bool collect = false;
@@ -71,7 +72,7 @@ void run(const io::Study& study, const StudyOptions& options) {
 } // namespace
 
 void add_study(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudyArguments>();
   CLI::App* command =
       program.add_subcommand("study", "Run the scenarios of a parameter study side by side.");
   command

@@ -1,6 +1,6 @@
 #include "apps/file_lock.hpp"
 
-#include "apps/commands.hpp"
+#include "apps/usage.hpp"
 
 #include <cerrno>
 #include <system_error>

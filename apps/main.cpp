@@ -7,6 +7,8 @@
 // Exit codes: 0 done; 1 the run failed; 2 the command line or the scene is wrong.
 #include "apps/commands.hpp"
 
+#include "apps/usage.hpp"
+
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/scene_file.hpp"

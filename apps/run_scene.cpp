@@ -1,7 +1,7 @@
 #include "apps/run_scene.hpp"
 
-#include "apps/commands.hpp"
 #include "apps/progress.hpp"
+#include "apps/usage.hpp"
 #include "io/run_recorder.hpp"
 #include "io/snapshot.hpp"
 

@@ -1,7 +1,7 @@
 #include "apps/study_results.hpp"
 
-#include "apps/commands.hpp"
 #include "apps/study_plan.hpp"
+#include "apps/usage.hpp"
 #include "core/analysis/measures.hpp"
 #include "io/atomic_file.hpp"
 #include "io/series.hpp"

@@ -1,11 +1,11 @@
 #include "apps/study_runner.hpp"
 
 #include "apps/child_process.hpp"
-#include "apps/commands.hpp"
 #include "apps/file_lock.hpp"
 #include "apps/study_plan.hpp"
 #include "apps/study_progress.hpp"
 #include "apps/study_results.hpp"
+#include "apps/usage.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_descriptor.hpp"
 #include "io/scene_file.hpp"

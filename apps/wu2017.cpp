@@ -1,10 +1,10 @@
 #include "apps/wu2017.hpp"
 
-#include "apps/commands.hpp"
 #include "apps/data_directory.hpp"
 #include "apps/run_scene.hpp"
 #include "apps/study_results.hpp"
 #include "apps/study_runner.hpp"
+#include "apps/usage.hpp"
 #include "apps/wu2017_case.hpp"
 #include "apps/wu2017_figures.hpp"
 #include "apps/wu2017_page.hpp"

@@ -1,5 +1,5 @@
 // Scene files: TOML in, Scene out; and a Scene as TOML, JSON or a manual page.
-// All of them follow the one table of options in io/scene_schema.cpp.
+// All of them follow the one set of options in io/scene_sections_*.cpp.
 #pragma once
 
 #include "core/scene.hpp"

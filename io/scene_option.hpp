@@ -1,4 +1,4 @@
-// The pieces that io/scene_schema.cpp declares the options of a scene file with.
+// The pieces that io/scene_sections_*.cpp declare the options of a scene file with.
 #pragma once
 
 #include "io/scene_value.hpp"

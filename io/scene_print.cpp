@@ -89,7 +89,7 @@ std::string scene_reference_markdown() {
       "by "
       "name or index\n"
       "(`--set material.rods.cohesion_Pa=10`).\n\n"
-      "This page is generated from the table of options in `io/scene_schema.cpp`.\n";
+      "This page is generated from the tables of options in `io/scene_sections_*.cpp`.\n";
   const Scene scene;
   for_each_section(scene, [&]<typename T, typename Part>(const Section<T>& section, const Part&) {
     const bool is_list = !std::is_same_v<T, Part>;

@@ -95,8 +95,9 @@ Complaint read_values(const toml::node& node, std::vector<double>& values) {
   return {};
 }
 
-Section<StudyText::Parameter> parameter_section() {
-  using Parameter = StudyText::Parameter;
+using Parameter = StudyText::Parameter;
+
+Section<Parameter> parameter_section() {
   return {
       .name = "parameter",
       .help = "A quantity that differs between scenarios; one [[parameter]] for each.",

@@ -13,8 +13,6 @@ namespace scarp::render {
 
 namespace {
 
-constexpr double body_level = 0.5;
-
 CurveError error_of(const io::Table& experiment, const std::function<double(double)>& model) {
   const std::vector<double>& x = experiment.column("x_m");
   const std::vector<double>& z = experiment.column("z_m");

@@ -108,7 +108,6 @@ void draw_discs(Drawing& drawing, const PlotArea& area, const io::Frame& frame,
 }
 
 void stroke_outline(Drawing& drawing, const PlotArea& area, const NodeField& body, const Pen& pen) {
-  constexpr double body_level = 0.5;
   for (const Polyline& line : contour_lines(body, body_level))
     for (const Polyline& part : clipped(line, area.world))
       drawing.stroke(area.to_pixels(part), pen);

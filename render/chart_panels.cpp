@@ -15,8 +15,8 @@ namespace scarp::render {
 namespace {
 
 // In parts of the font's size.
-constexpr double edge = 0.7;
-constexpr double heading = 2.0; // the line of a title
+constexpr double chart_edge = 0.7;
+constexpr double chart_heading = 2.0; // the line of a title
 constexpr double legend_gap = 0.8;
 
 struct Panels {
@@ -54,7 +54,8 @@ Layout layout(const Panels& panels, double below) {
   const auto rows = static_cast<double>(panels.rows);
   const double cell_width = style.width / static_cast<double>(panels.columns);
   const double below_all =
-      panels.shared.empty() ? 0.0 : legend_size(panels.shared, font).y + (edge + legend_gap) * font;
+      panels.shared.empty() ? 0.0
+                            : legend_size(panels.shared, font).y + (chart_edge + legend_gap) * font;
   double cell_height = style.height / rows;
   Point lower; // of a plot in its cell
   Point size = {0.85 * cell_width, 0.8 * std::max(cell_height, cell_width / 4.0)};
@@ -78,9 +79,9 @@ Layout layout(const Panels& panels, double below) {
                  std::max(margins.bottom, own.bottom), std::max(margins.top, own.top)};
     }
     if (round == 2) return plan;
-    const double above = margins.top + (edge + (panels.titled ? heading : 0.0)) * font;
-    lower = {margins.left + edge * font, margins.bottom + edge * font + below};
-    size.x = cell_width - lower.x - std::max(edge * font, margins.right + 0.7 * font);
+    const double above = margins.top + (chart_edge + (panels.titled ? chart_heading : 0.0)) * font;
+    lower = {margins.left + chart_edge * font, margins.bottom + chart_edge * font + below};
+    size.x = cell_width - lower.x - std::max(chart_edge * font, margins.right + 0.7 * font);
     plan.height = style.height;
     if (style.height == 0) {
       const double needed = rows * (lower.y + above + size.x * aspect(panels)) + below_all;
@@ -109,7 +110,7 @@ Layout layout_with_legends(Panels& panels) {
       needed = std::max(needed, size.y + legend_gap * font);
       const Box& plot = chart.area.pixels;
       const double left = 0.5 * (plot.lower.x + plot.upper.x - size.x);
-      const double top = plan.corners[i].y + (edge - legend_gap) * font + below;
+      const double top = plan.corners[i].y + (chart_edge - legend_gap) * font + below;
       chart.legend_box = Box{{left, top - size.y}, {left + size.x, top}};
     }
     if (needed <= below) return plan;
@@ -127,7 +128,7 @@ Legend shared_legend(std::vector<Legend>& legends, double width, double font) {
         shared.entries.push_back(entry);
     legend.entries.clear();
   }
-  spread(shared, width - 2.0 * edge * font, font);
+  spread(shared, width - 2.0 * chart_edge * font, font);
   return shared;
 }
 
@@ -141,11 +142,11 @@ void write_title(Drawing& drawing, const Panels& panels, const Layout& plan, std
   if (panels.style.letters) {
     words.text =
         fmt::format("{}){}{}", static_cast<char>('a' + i), title.empty() ? "" : "  ", title);
-    const double room = plan.corners[i].x + cell_width - plot.lower.x - edge * font;
+    const double room = plan.corners[i].x + cell_width - plot.lower.x - chart_edge * font;
     words.size = fitting_size(words.text, room, 1.08 * font);
   } else {
     words.text = title;
-    words.size = fitting_size(title, cell_width - edge * font, 1.2 * font);
+    words.size = fitting_size(title, cell_width - chart_edge * font, 1.2 * font);
     words.horizontal = Horizontal::centre;
     words.position.x = 0.5 * (plot.lower.x + plot.upper.x);
   }
@@ -181,7 +182,7 @@ Drawing draw_chart_panels(const std::vector<Chart>& charts, const ChartPanelsSty
   if (!panels.shared.empty()) {
     const Point size = legend_size(panels.shared, font);
     const double left = 0.5 * (style.width - size.x);
-    const double low = edge * font;
+    const double low = chart_edge * font;
     draw_legend(drawing, panels.shared, {{left, low}, {left + size.x, low + size.y}}, font);
   }
   return drawing;

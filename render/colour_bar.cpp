@@ -14,12 +14,12 @@ namespace {
 
 // In parts of the font's size.
 constexpr double bar_width = 0.85;
-constexpr double tick_length = 0.3;
-constexpr double label_gap = 0.25;
-constexpr double title_gap = 0.4;
+constexpr double bar_tick_length = 0.3;
+constexpr double bar_label_gap = 0.25;
+constexpr double bar_title_gap = 0.4;
 constexpr double arrow_length = 0.8;
 
-struct Tick {
+struct BarTick {
   double part; ///< of the bar's length
   double value;
 };
@@ -32,9 +32,9 @@ bool is_round(double value) {
 
 /// Every band's edge if there is room, else every second, third ..., a round step if it can be; a
 /// category's number stands in the middle of its band.
-std::vector<Tick> bar_ticks(const ColourBar& bar, double length, double room) {
+std::vector<BarTick> bar_ticks(const ColourBar& bar, double length, double room) {
   const ColourRange& range = bar.range;
-  std::vector<Tick> found;
+  std::vector<BarTick> found;
   if (bar.category) {
     for (int band = 0; band < range.bands; ++band)
       found.push_back({(band + 0.5) / range.bands, range.lower + 0.5 + band});
@@ -58,10 +58,11 @@ std::vector<Tick> bar_ticks(const ColourBar& bar, double length, double room) {
   return found;
 }
 
-std::pair<std::vector<std::string>, int> bar_labels(const std::vector<Tick>& ticks) {
+std::pair<std::vector<std::string>, int> bar_labels(const std::vector<BarTick>& ticks) {
   std::vector<double> values;
   values.reserve(ticks.size());
-  for (const Tick& tick : ticks) values.push_back(std::abs(tick.value) < 1e-12 ? 0.0 : tick.value);
+  for (const BarTick& tick : ticks)
+    values.push_back(std::abs(tick.value) < 1e-12 ? 0.0 : tick.value);
   const int power = common_power(values);
   return {tick_labels(values, power), power};
 }
@@ -93,7 +94,7 @@ struct Placement {
 
 double bar_thickness(const ColourBar& bar, bool upright, double font_size) {
   const double label = upright ? widest_label(bar, font_size) : font_size;
-  return label + (bar_width + tick_length + label_gap + title_gap + 1.25) * font_size;
+  return label + (bar_width + bar_tick_length + bar_label_gap + bar_title_gap + 1.25) * font_size;
 }
 
 void draw_bar(Drawing& drawing, const ColourBar& bar, const Box& box, bool upright,
@@ -134,7 +135,7 @@ void draw_bar(Drawing& drawing, const ColourBar& bar, const Box& box, bool uprig
 
   const double label_width = widest_label(bar, font_size);
   const double room = upright ? 1.6 * font_size : label_width + font_size;
-  const std::vector<Tick> ticks = bar_ticks(bar, length, room);
+  const std::vector<BarTick> ticks = bar_ticks(bar, length, room);
   const auto [labels, power] = bar_labels(ticks);
   Words words;
   words.size = font_size;
@@ -142,18 +143,19 @@ void draw_bar(Drawing& drawing, const ColourBar& bar, const Box& box, bool uprig
   words.vertical = upright ? Vertical::middle : Vertical::top;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double along = begin + length * ticks[i].part;
-    const double tick_end = thickness + tick_length * font_size;
+    const double tick_end = thickness + bar_tick_length * font_size;
     if (!bar.category)
       drawing.stroke(Polyline{place.at(along, thickness), place.at(along, tick_end)}, pen);
-    words.position = place.at(along, tick_end + label_gap * font_size);
+    words.position = place.at(along, tick_end + bar_label_gap * font_size);
     words.text = labels[i];
     drawing.write(words);
   }
   const std::string unit = unit_label(bar.unit, power);
   words.text = bar.category || unit.empty() ? bar.label : bar.label + " " + unit;
   words.position =
-      place.at(0.5 * place.length(), thickness + (tick_length + label_gap + title_gap) * font_size +
-                                         (upright ? label_width : font_size));
+      place.at(0.5 * place.length(),
+               thickness + (bar_tick_length + bar_label_gap + bar_title_gap) * font_size +
+                   (upright ? label_width : font_size));
   words.upright = upright;
   drawing.write(words);
 }

@@ -95,8 +95,6 @@ template <class Distance> void cut(const Face& face, Face& kept, Distance distan
   }
 }
 
-constexpr double body_level = 0.5;
-
 class BandSplitter {
  public:
   BandSplitter(const std::vector<double>& edges,

@@ -14,7 +14,7 @@ namespace scarp::render {
 namespace {
 
 constexpr Colour grid_colour = {110, 116, 122};
-constexpr double edge = 0.7; // in parts of the font's size
+constexpr double lattice_edge = 0.7; // in parts of the font's size
 constexpr double grid_weight = 0.8;
 constexpr double side_weight = 1.6;
 
@@ -101,7 +101,7 @@ Drawing draw_lattice(const std::vector<LatticePiece>& pieces, const LatticeStyle
   const double font =
       style.font_size > 0.0 ? style.font_size : default_font_size(style.width, style.height);
   Legend legend = legend_of(seen, style);
-  spread(legend, style.width - 2.0 * edge * font, font);
+  spread(legend, style.width - 2.0 * lattice_edge * font, font);
   const Point legend_room = legend_size(legend, font);
 
   PlotArea area = {style.view, {{0, 0}, {0.8 * style.width, 0.8 * style.width}}};
@@ -113,11 +113,11 @@ Drawing draw_lattice(const std::vector<LatticePiece>& pieces, const LatticeStyle
     z = {"z", "m"};
     choose_ticks(area, x, z, font);
     const Margins margins = axis_margins(x, z, font);
-    const double above = margins.top + (edge + (style.title.empty() ? 0.0 : 2.0)) * font;
+    const double above = margins.top + (lattice_edge + (style.title.empty() ? 0.0 : 2.0)) * font;
     Box room;
-    room.lower = {margins.left + edge * font,
-                  margins.bottom + legend_room.y + (2.0 * edge + 0.3) * font};
-    room.upper.x = style.width - std::max(edge * font, margins.right + 0.7 * font);
+    room.lower = {margins.left + lattice_edge * font,
+                  margins.bottom + legend_room.y + (2.0 * lattice_edge + 0.3) * font};
+    room.upper.x = style.width - std::max(lattice_edge * font, margins.right + 0.7 * font);
     if (style.height == 0) {
       const double needed =
           room.lower.y + above + room.width() * style.view.height() / style.view.width();
@@ -138,7 +138,7 @@ Drawing draw_lattice(const std::vector<LatticePiece>& pieces, const LatticeStyle
   draw_points(drawing, area, seen, font);
   draw_axes(drawing, area, x, z, font);
   const double left = 0.5 * (style.width - legend_room.x);
-  const double low = edge * font;
+  const double low = lattice_edge * font;
   draw_legend(drawing, legend, {{left, low}, {left + legend_room.x, low + legend_room.y}}, font);
   if (!style.title.empty()) {
     Words words;

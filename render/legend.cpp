@@ -14,9 +14,9 @@ namespace {
 // In parts of the font's size.
 constexpr double line_height = 1.45;
 constexpr double sample_length = 2.6;
-constexpr double gap = 0.6;
+constexpr double word_gap = 0.6;
 constexpr double group_gap = 0.4;
-constexpr double column_gap = 1.0;
+constexpr double key_column_gap = 1.0;
 constexpr double key_width = 1.1;
 
 double text_width(const std::string& text, double font_size) {
@@ -30,8 +30,8 @@ double column_width(const Legend& legend, double font_size) {
   double widest = 0.0;
   for (const LegendEntry& entry : legend.entries)
     widest = std::max(widest, text_width(entry.label, font_size));
-  const double apart = legend.columns > 1 ? column_gap : 0.0;
-  return widest + (sample_length + 2.0 * gap + apart) * font_size;
+  const double apart = legend.columns > 1 ? key_column_gap : 0.0;
+  return widest + (sample_length + 2.0 * word_gap + apart) * font_size;
 }
 
 double entry_rows(const Legend& legend) {
@@ -50,7 +50,8 @@ double widest_label(const ColourKey& key, double font_size) {
 double key_band(const ColourKey& key, bool lying, double font_size) {
   const auto count = static_cast<double>(key.values.size());
   const double least = 0.2 * font_size;
-  const double roomy = lying ? widest_label(key, font_size) + gap * font_size : 1.3 * font_size;
+  const double roomy =
+      lying ? widest_label(key, font_size) + word_gap * font_size : 1.3 * font_size;
   const double whole = (lying ? 14.0 : 9.0) * font_size;
   return std::clamp(whole / count, least, std::max(roomy, least));
 }
@@ -66,8 +67,9 @@ Point key_size(const ColourKey& key, bool lying, double font_size) {
   const double title = text_width(key.title, font_size);
   const double label = widest_label(key, font_size);
   if (lying)
-    return {std::max(title, length + label), (line_height + key_width + gap + 1.0) * font_size};
-  return {std::max(title, label + (key_width + gap) * font_size),
+    return {std::max(title, length + label),
+            (line_height + key_width + word_gap + 1.0) * font_size};
+  return {std::max(title, label + (key_width + word_gap) * font_size),
           length + (line_height + 0.3) * font_size};
 }
 
@@ -87,7 +89,7 @@ void draw_entry(Drawing& drawing, const LegendEntry& entry, Point left, double f
   drawing.mark({0.5 * (left.x + end), y}, entry.marker, marker_radius(entry.weight, font_size),
                entry.colour);
   Words words;
-  words.position = {end + gap * font_size, y};
+  words.position = {end + word_gap * font_size, y};
   words.text = entry.label;
   words.size = font_size;
   words.vertical = Vertical::middle;
@@ -123,8 +125,8 @@ void draw_key(Drawing& drawing, const ColourKey& key, const Box& box, bool lying
                  key.colours[i]);
     if (i % stride != 0) continue;
     words.text = labels[i];
-    words.position = lying ? Point{lower.x + 0.5 * band, lower.y - 0.5 * gap * font_size}
-                           : Point{lower.x + width + gap * font_size, lower.y + 0.5 * band};
+    words.position = lying ? Point{lower.x + 0.5 * band, lower.y - 0.5 * word_gap * font_size}
+                           : Point{lower.x + width + word_gap * font_size, lower.y + 0.5 * band};
     drawing.write(words);
   }
 }

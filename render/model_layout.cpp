@@ -151,7 +151,6 @@ std::vector<Polyline> outlines(const io::Frame& frame, const ModelStyle& style,
     lines.push_back(area.to_pixels(part.outline));
     lines.back().push_back(lines.back().front());
   }
-  constexpr double body_level = 0.5;
   if (lines.empty())
     for (const Polyline& line : contour_lines(volume_fraction(frame), body_level))
       lines.push_back(area.to_pixels(line));

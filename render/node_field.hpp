@@ -36,6 +36,9 @@ const std::vector<double>& initial_volumes(const io::Frame& frame);
 /// grid and a quarter in its corners.  Points outside the grid do not count.
 NodeField volume_fraction(const io::Frame& frame);
 
+/// The body is where the volume fraction is this and more.
+inline constexpr double body_level = 0.5;
+
 /// s_I = sum_p V0_p N_I(x_p) s_p / sum_p V0_p N_I(x_p).  Nodes that no point reaches take the mean
 /// of their neighbours, for two layers, so that the field goes on a little beyond the body; nodes
 /// beyond are 0.  Throws std::invalid_argument if `values` is not one a point.

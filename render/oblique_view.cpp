@@ -7,21 +7,23 @@ namespace scarp::render {
 
 namespace {
 
-constexpr double turn = 0.45;  // rad, of the eye from -y towards +x
-constexpr double raise = 0.42; // rad, of the eye above the ground
+constexpr double eye_turn = 0.45;  // rad, of the eye from -y towards +x
+constexpr double eye_raise = 0.42; // rad, of the eye above the ground
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 } // namespace
 
-Vector ObliqueView::right() { return {std::cos(turn), std::sin(turn), 0.0}; }
+Vector ObliqueView::right() { return {std::cos(eye_turn), std::sin(eye_turn), 0.0}; }
 
 Vector ObliqueView::up() {
-  return {-std::sin(raise) * std::sin(turn), std::sin(raise) * std::cos(turn), std::cos(raise)};
+  return {-std::sin(eye_raise) * std::sin(eye_turn), std::sin(eye_raise) * std::cos(eye_turn),
+          std::cos(eye_raise)};
 }
 
 Vector ObliqueView::forward() {
-  return {-std::cos(raise) * std::sin(turn), std::cos(raise) * std::cos(turn), -std::sin(raise)};
+  return {-std::cos(eye_raise) * std::sin(eye_turn), std::cos(eye_raise) * std::cos(eye_turn),
+          -std::sin(eye_raise)};
 }
 
 Point ObliqueView::project(const Vector& point) { return {dot(right(), point), dot(up(), point)}; }

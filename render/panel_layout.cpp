@@ -13,9 +13,9 @@ namespace scarp::render {
 namespace {
 
 // In parts of the font's size.
-constexpr double edge = 0.7;      // between the picture's sides and anything
-constexpr double heading = 1.7;   // the line with letter and time above a panel
-constexpr double panel_gap = 0.5; // below a panel's ticks
+constexpr double panel_edge = 0.7;    // between the picture's sides and anything
+constexpr double panel_heading = 1.7; // the line with letter and time above a panel
+constexpr double panel_gap = 0.5;     // below a panel's ticks
 constexpr double bar_gap = 0.9;
 
 Axis x_axis(bool labelled) { return {"x", "m", labelled, {}}; }
@@ -60,16 +60,16 @@ PanelLayout layout(const PanelContent& content, int width, int height, bool upri
     choose_ticks(area, x, z, font);
     const Margins margins = axis_margins(x, z, font);
     const Margins unlabelled = axis_margins(x_axis(false), z_axis(false), font);
-    const double left = edge * font + margins.left;
-    const double beside = std::max(edge * font, margins.right + 0.7 * font);
+    const double left = panel_edge * font + margins.left;
+    const double beside = std::max(panel_edge * font, margins.right + 0.7 * font);
     const double right = beside + (upright_bars ? bar_room : 0.0);
     const double column_gap =
         beside + (beside_each ? bar_room : 0.0) + unlabelled.left + panel_gap * font;
-    const double below = edge * font + margins.bottom + (upright_bars ? 0.0 : bar_room);
-    const double above = edge * font + (content.titled ? 1.8 * font : 0.0);
+    const double below = panel_edge * font + margins.bottom + (upright_bars ? 0.0 : bar_room);
+    const double above = panel_edge * font + (content.titled ? 1.8 * font : 0.0);
     const double row_gap =
         panel_gap * font + (below_each ? margins.bottom + bar_room : unlabelled.bottom);
-    const double between = rows * heading * font + (rows - 1.0) * row_gap;
+    const double between = rows * panel_heading * font + (rows - 1.0) * row_gap;
     plan.scale =
         (width - left - right - (columns - 1.0) * column_gap) / (columns * content.view.width());
     if (height > 0)
@@ -88,8 +88,8 @@ PanelLayout layout(const PanelContent& content, int width, int height, bool upri
       const std::size_t column = panel % content.columns;
       const std::size_t row = panel / content.columns;
       const double from = left + spare_x + static_cast<double>(column) * (panel_width + column_gap);
-      const double top = plan.height - above - spare_y - heading * font -
-                         static_cast<double>(row) * (panel_height + row_gap + heading * font);
+      const double top = plan.height - above - spare_y - panel_heading * font -
+                         static_cast<double>(row) * (panel_height + row_gap + panel_heading * font);
       plan.areas.push_back({{from, top - panel_height}, {from + panel_width, top}});
     }
     plan.bars.clear();
@@ -97,7 +97,7 @@ PanelLayout layout(const PanelContent& content, int width, int height, bool upri
     const Box& last = plan.areas.back();
     if (content.own_bars()) {
       for (const Box& panel : plan.areas) {
-        const double bar_left = panel.upper.x + beside + bar_gap * font - edge * font;
+        const double bar_left = panel.upper.x + beside + bar_gap * font - panel_edge * font;
         plan.bars.push_back(
             upright_bars
                 ? Box{{bar_left, panel.lower.y}, {bar_left + thickness, panel.upper.y}}
@@ -106,7 +106,7 @@ PanelLayout layout(const PanelContent& content, int width, int height, bool upri
       }
     } else {
       const double end = first.lower.x + columns * panel_width + (columns - 1.0) * column_gap;
-      const double bar_left = end + right - edge * font - thickness;
+      const double bar_left = end + right - panel_edge * font - thickness;
       plan.bars = {upright_bars
                        ? Box{{bar_left, last.lower.y}, {bar_left + thickness, first.upper.y}}
                        : hanging_bar(first.lower.x, end,
@@ -182,7 +182,7 @@ void draw_panel_surroundings(Drawing& drawing, const PanelContent& content,
   words.size = 1.25 * font;
   words.horizontal = Horizontal::centre;
   words.position = {0.5 * (first.lower.x + last_in_row.upper.x),
-                    first.upper.y + (heading + 0.3) * font};
+                    first.upper.y + (panel_heading + 0.3) * font};
   drawing.write(words);
 }
 

@@ -60,7 +60,6 @@ Curve experiment_curve(const io::Table& table, const std::string& label, Marker 
 
 Curve outline_curve(const io::Frame& frame) {
   Curve curve;
-  constexpr double body_level = 0.5;
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   for (const Polyline& line : contour_lines(volume_fraction(undeformed(frame)), body_level)) {
     for (const Point point : line) {

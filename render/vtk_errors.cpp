@@ -9,39 +9,35 @@
 
 namespace scarp::render {
 
-namespace {
-
-class KeepingWindow : public vtkOutputWindow {
- public:
-  static KeepingWindow* New();
-  KeepingWindow(const KeepingWindow&) = delete;
-  KeepingWindow& operator=(const KeepingWindow&) = delete;
-
-  void DisplayText(const char* text) override {
-    if (first.empty() && text != nullptr) first = text;
-  }
-  // Debug text is no error; everything else is.
-  void DisplayDebugText(const char*) override {}
-
-  std::string first;
-
- protected:
-  KeepingWindow() = default;
-};
-
-vtkStandardNewMacro(KeepingWindow);
-
-} // namespace
-
 struct VtkErrors::Messages {
+  class Window : public vtkOutputWindow {
+   public:
+    static Window* New();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void DisplayText(const char* text) override {
+      if (first.empty() && text != nullptr) first = text;
+    }
+    // Debug text is no error; everything else is.
+    void DisplayDebugText(const char*) override {}
+
+    std::string first;
+
+   protected:
+    Window() = default;
+  };
+
   vtkSmartPointer<vtkOutputWindow> previous;
-  vtkSmartPointer<KeepingWindow> kept;
+  vtkSmartPointer<Window> kept;
   vtkLogger::Verbosity verbosity = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
+vtkStandardNewMacro(VtkErrors::Messages::Window);
+
 VtkErrors::VtkErrors() : messages_(std::make_unique<Messages>()) {
   messages_->previous = vtkOutputWindow::GetInstance();
-  messages_->kept = vtkSmartPointer<KeepingWindow>::New();
+  messages_->kept = vtkSmartPointer<Messages::Window>::New();
   vtkOutputWindow::SetInstance(messages_->kept);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }

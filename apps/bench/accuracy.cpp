@@ -14,7 +14,7 @@ namespace scarp::bench {
 
 namespace {
 
-class Clock {
+class Stopwatch {
  public:
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -31,13 +31,13 @@ bool wanted(const AccuracyOptions& options, const std::string& name) {
 CaseResult run_case(const Case& one, Effort effort) {
   CaseResult result;
   result.origin = &one;
-  const Clock clock;
+  const Stopwatch watch;
   try {
     result.report = one.run(effort);
   } catch (const RunError& error) {
     result.failure = error.what();
   }
-  result.wall = clock.seconds();
+  result.wall = watch.seconds();
   return result;
 }
 
@@ -111,7 +111,7 @@ std::vector<std::string> names() {
 }
 
 bool run_accuracy(const AccuracyOptions& options) {
-  const Clock clock;
+  const Stopwatch watch;
   const Effort effort = options.quick ? Effort::quick : Effort::full;
   std::vector<CaseResult> results;
   for (const Case& one : cases()) {
@@ -129,8 +129,8 @@ bool run_accuracy(const AccuracyOptions& options) {
     work.push_back(converged_work(result));
     print(work.back());
   }
-  write_json(options, results, work, clock.seconds());
-  write_page(options, results, work, clock.seconds());
+  write_json(options, results, work, watch.seconds());
+  write_page(options, results, work, watch.seconds());
 
   std::size_t checks = 0, failed = 0;
   for (const CaseResult& result : results) {
@@ -139,7 +139,7 @@ bool run_accuracy(const AccuracyOptions& options) {
         std::ranges::count_if(result.report.checks, [](const Check& c) { return !c.pass(); }));
     if (!result.failure.empty()) ++checks, ++failed;
   }
-  fmt::print("{} of {} checks passed ({:.0f} s); {}\n", checks - failed, checks, clock.seconds(),
+  fmt::print("{} of {} checks passed ({:.0f} s); {}\n", checks - failed, checks, watch.seconds(),
              (options.out / "index.html").string());
   return failed == 0;
 }

@@ -1,9 +1,10 @@
 #include "tests/end_to_end/program.hpp"
 
+#include "tests/support/fresh_directory.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -143,17 +144,7 @@ Result Program::wait() {
   return result;
 }
 
-EndToEnd::EndToEnd() {
-  std::string name = (fs::path(testing::TempDir()) / "scarp_end_to_end_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) check(errno, "mkdtemp");
-  directory_ = name;
-  write_scene(small_scene);
-}
-
-EndToEnd::~EndToEnd() {
-  std::error_code ignored;
-  fs::remove_all(directory_, ignored);
-}
+EndToEnd::EndToEnd() : directory_(fresh_directory()) { write_scene(small_scene); }
 
 void EndToEnd::write_scene(const std::string& text) const {
   std::ofstream(directory_ / "block.toml") << text;

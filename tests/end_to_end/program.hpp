@@ -45,7 +45,6 @@ class Program {
 class EndToEnd : public testing::Test {
  protected:
   EndToEnd();
-  ~EndToEnd() override;
 
   Result scarp(const std::vector<std::string>& arguments) const {
     return Program(directory_, arguments).wait();

@@ -1,5 +1,6 @@
 // The test of the tests: what a reviewer would see must fail.
 #include "render/frame_figure.hpp"
+#include "tests/support/fresh_directory.hpp"
 #include "tests/support/hand_made_frames.hpp"
 #include "tests/support/image_compare.hpp"
 
@@ -19,14 +20,11 @@ using render::Image;
 class Comparator : public testing::Test {
  protected:
   void SetUp() override {
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = std::filesystem::path(testing::TempDir()) / ("scarp_comparator_" + name);
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "baselines");
-    places_ = {folder_ / "baselines", folder_ / "results", false};
+    const std::filesystem::path folder = fresh_directory();
+    std::filesystem::create_directory(folder / "baselines");
+    places_ = {folder / "baselines", folder / "results", false};
     render::write_png(places_.baselines / "pile.png", picture(style()));
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   static FrameStyle style() {
     FrameStyle style;
@@ -46,7 +44,6 @@ class Comparator : public testing::Test {
     return matches_baseline(picture(changed), "pile", places_);
   }
 
-  std::filesystem::path folder_;
   BaselinePlaces places_;
 };
 

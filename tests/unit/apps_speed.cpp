@@ -1,6 +1,7 @@
 // The speed bench: its operation counts, its scene, its ratios and what it writes.
 #include "apps/bench/flops.hpp"
 #include "apps/bench/speed.hpp"
+#include "tests/support/fresh_directory.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 using namespace scarp;
 using namespace scarp::bench;
@@ -140,9 +139,7 @@ TEST(SpeedPlan, HasTheSizesOfTheContract) {
 }
 
 TEST(Speed, MeasuresAndWrites) {
-  const auto out =
-      std::filesystem::temp_directory_path() / ("scarp_speed_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(out);
+  const std::filesystem::path out = test::fresh_directory();
   const int threads = omp_get_max_threads();
   const SpeedReport report = measure_speed(tiny_plan(), out, {});
   EXPECT_EQ(omp_get_max_threads(), threads);
@@ -176,7 +173,6 @@ TEST(Speed, MeasuresAndWrites) {
   for (const char* file : {"speed.csv", "machine.json", "speed.png"})
     EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
   EXPECT_FALSE(std::filesystem::exists(out / "frame_for_timing"));
-  std::filesystem::remove_all(out);
 }
 
 TEST(Roofline, IsPlausible) {

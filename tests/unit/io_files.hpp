@@ -1,7 +1,7 @@
 // Files for tests of the io library.
 #pragma once
 
-#include <gtest/gtest.h>
+#include "tests/support/fresh_directory.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -15,17 +15,6 @@
 
 namespace scarp::test {
 namespace fs = std::filesystem;
-
-/// An empty directory of the running test's own.
-inline fs::path fresh_directory() {
-  const auto& info = *testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string("scarp_") + info.test_suite_name() + "_" + info.name();
-  std::ranges::replace(name, '/', '_');
-  const fs::path directory = fs::path(testing::TempDir()) / name;
-  fs::remove_all(directory);
-  fs::create_directories(directory);
-  return directory;
-}
 
 inline std::string content(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

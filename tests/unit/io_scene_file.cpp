@@ -209,7 +209,6 @@ TEST(SceneFile, ReferenceIsUpToDate) {
   const std::string reference = scene_reference_markdown();
   const fs::path file = data / "scene_reference.md";
   if (reference == content(file)) return;
-  const fs::path actual =
-      write_file(fs::path(testing::TempDir()) / "scene_reference.md", reference);
+  const fs::path actual = write_file(fresh_directory() / "scene_reference.md", reference);
   FAIL() << "refresh it: cp " << actual.string() << " " << file.string();
 }

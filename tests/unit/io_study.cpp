@@ -139,7 +139,6 @@ TEST(Study, ReferenceIsUpToDate) {
   const std::string reference = study_reference_markdown();
   const fs::path file = data / "study_reference.md";
   if (reference == content(file)) return;
-  const fs::path actual =
-      write_file(fs::path(testing::TempDir()) / "study_reference.md", reference);
+  const fs::path actual = write_file(fresh_directory() / "study_reference.md", reference);
   FAIL() << "refresh it: cp " << actual.string() << " " << file.string();
 }

@@ -9,6 +9,7 @@
 #include "render/ticks.hpp"
 #include "render/validation_figure.hpp"
 #include "tests/support/drawing_checks.hpp"
+#include "tests/support/fresh_directory.hpp"
 #include "tests/support/hand_made_frames.hpp"
 
 #include <gtest/gtest.h>
@@ -222,25 +223,21 @@ TEST(Validation, TheLegendTellsPointsAndErrors) {
 }
 
 TEST(Image, RoundTripsThroughAFile) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "scarp_render_image.png";
+  const std::filesystem::path file = test::fresh_directory() / "image.png";
   Image image = {3, 2, {}};
   for (int i = 0; i < 18; ++i) image.rgb.push_back(static_cast<unsigned char>(13 * i));
   write_png(file, image);
   EXPECT_EQ(read_png(file), image);
-  std::filesystem::remove(file);
 }
 
 TEST(Image, ATruncatedFileIsAnError) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "scarp_render_truncated.png";
+  const std::filesystem::path file = test::fresh_directory() / "truncated.png";
   Image image = {64, 64, std::vector<unsigned char>(std::size_t{3} * 64 * 64)};
   for (std::size_t i = 0; i < image.rgb.size(); ++i)
     image.rgb[i] = static_cast<unsigned char>((i * i) % 251);
   write_png(file, image);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   EXPECT_THROW(read_png(file), std::runtime_error);
-  std::filesystem::remove(file);
 }
 
 TEST(Image, ErrorsNameTheFile) {
@@ -253,11 +250,9 @@ TEST(Image, ErrorsNameTheFile) {
   }
   EXPECT_THROW(read_png("/nonexistent/a.png"), std::runtime_error);
   EXPECT_THROW(write_png("a.png", Image{2, 2, {}}), std::invalid_argument);
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "scarp_not_a_picture.png";
+  const std::filesystem::path file = test::fresh_directory() / "text.png";
   std::ofstream(file) << "not a picture";
   EXPECT_THROW(read_png(file), std::runtime_error);
-  std::filesystem::remove(file);
 }
 
 } // namespace scarp::render

@@ -1,4 +1,9 @@
-#include "apps/commands.hpp"
+#include "apps/usage.hpp"
+
+#include <omp.h>
+
+#include <string>
+#include <system_error>
 
 namespace scarp::apps {
 
@@ -10,6 +15,10 @@ void make_directory(const fs::path& directory) {
   if (error || !fs::is_directory(directory))
     throw UsageError("--out " + directory.string() + ": " +
                      (error ? error.message() : std::string("is no directory")));
+}
+
+std::size_t job_count(int jobs) {
+  return static_cast<std::size_t>(jobs > 0 ? jobs : omp_get_num_procs());
 }
 
 } // namespace scarp::apps
