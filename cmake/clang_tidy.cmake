@@ -21,7 +21,8 @@ list(JOIN folders "|" any_folder)
 add_custom_command(
   OUTPUT tidy.ok
   COMMAND ${SCARP_CLANG_TIDY} -quiet -p ${PROJECT_BINARY_DIR}
-          -extra-arg=-Wno-unknown-warning-option # the flags are those of GCC
+          # The flags are those of GCC.
+          -extra-arg=-Wno-unknown-warning-option -extra-arg=-Wno-unused-command-line-argument
           "^${PROJECT_SOURCE_DIR}/(${any_folder})/[^/]*$"
           "^${PROJECT_BINARY_DIR}/(${any_folder})/CMakeFiles/[^/]*/Unity/"
   COMMAND ${CMAKE_COMMAND} -E touch tidy.ok
