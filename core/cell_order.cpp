@@ -257,26 +257,26 @@ void CellOrder<Dim, width, tile_cells>::find_side_pairs(std::size_t axis, int ou
       if (grid_->node_along(node, axis) == outer) pairs.push_back({node, node + inwards});
 }
 
-template class CellOrder<2, 2, 8>;
-template class CellOrder<2, 2, 16>;
-template class CellOrder<2, 3, 8>;
-template class CellOrder<2, 3, 16>;
-template class CellOrder<2, 4, 8>;
-template class CellOrder<3, 2, 8>;
-template class CellOrder<3, 2, 16>;
-template class CellOrder<3, 3, 8>;
-template class CellOrder<3, 3, 16>;
-template class CellOrder<3, 4, 8>;
+template class CellOrder<2, 2, tile_cells<Real>>;
+template class CellOrder<2, 2, tile_cells<float>>;
+template class CellOrder<2, 3, tile_cells<Real>>;
+template class CellOrder<2, 3, tile_cells<float>>;
+template class CellOrder<2, 4, tile_cells<Real>>;
+template class CellOrder<3, 2, tile_cells<Real>>;
+template class CellOrder<3, 2, tile_cells<float>>;
+template class CellOrder<3, 3, tile_cells<Real>>;
+template class CellOrder<3, 3, tile_cells<float>>;
+template class CellOrder<3, 4, tile_cells<Real>>;
 
-template void CellOrder<2, 2, 8>::update(Particles<2>&);
-template void CellOrder<2, 3, 8>::update(Particles<2>&);
-template void CellOrder<2, 4, 8>::update(Particles<2>&);
-template void CellOrder<3, 2, 8>::update(Particles<3>&);
-template void CellOrder<3, 3, 8>::update(Particles<3>&);
-template void CellOrder<3, 4, 8>::update(Particles<3>&);
-template void CellOrder<2, 2, 16>::update(Particles<2, float>&);
-template void CellOrder<2, 3, 16>::update(Particles<2, float>&);
-template void CellOrder<3, 2, 16>::update(Particles<3, float>&);
-template void CellOrder<3, 3, 16>::update(Particles<3, float>&);
+template void CellOrder<2, 2, tile_cells<Real>>::update(Particles<2>&);
+template void CellOrder<2, 3, tile_cells<Real>>::update(Particles<2>&);
+template void CellOrder<2, 4, tile_cells<Real>>::update(Particles<2>&);
+template void CellOrder<3, 2, tile_cells<Real>>::update(Particles<3>&);
+template void CellOrder<3, 3, tile_cells<Real>>::update(Particles<3>&);
+template void CellOrder<3, 4, tile_cells<Real>>::update(Particles<3>&);
+template void CellOrder<2, 2, tile_cells<float>>::update(Particles<2, float>&);
+template void CellOrder<2, 3, tile_cells<float>>::update(Particles<2, float>&);
+template void CellOrder<3, 2, tile_cells<float>>::update(Particles<3, float>&);
+template void CellOrder<3, 3, tile_cells<float>>::update(Particles<3, float>&);
 
 } // namespace scarp

@@ -4,6 +4,7 @@
 
 #include "core/particles.hpp"
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <experimental/simd>
@@ -12,9 +13,10 @@
 
 namespace scarp {
 
-/// Cells that a pass works on at once: 8 with doubles, 16 with floats, on any processor, so that
-/// the order in which points lie is the same.
-template <class T> inline constexpr std::size_t tile_cells = 64 / sizeof(T);
+/// Cells that a pass works on at once: as many as a register has lanes, with AVX-512 8 of doubles
+/// and 16 of floats, half of these with AVX2.
+template <class T>
+inline constexpr std::size_t tile_cells = std::experimental::native_simd<T>::size();
 
 /// Several numbers in the lanes of one register, or of two.
 template <class T, std::size_t count>
@@ -65,13 +67,21 @@ template <std::size_t count, class T>
 /// The lanes moved up by k, with those of `below` behind them.
 template <std::size_t k, class T>
 [[gnu::always_inline]] inline Pack<T> moved_up(const Pack<T>& lanes, const Pack<T>& below) {
-  typedef T Vector [[gnu::vector_size(tile_cells<T> * sizeof(T))]];
-  return [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) {
-    return std::bit_cast<Pack<T>>(
-        __builtin_shufflevector(std::bit_cast<Vector>(below), std::bit_cast<Vector>(lanes),
-                                static_cast<int>(tile_cells<T> - k + lane)...));
+  constexpr std::size_t cells = tile_cells<T>;
+  typedef T Vector [[gnu::vector_size(cells * sizeof(T))]];
+  if constexpr (std::is_trivially_copyable_v<Pack<T>> && sizeof(Pack<T>) == sizeof(Vector)) {
+    return [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) {
+      return std::bit_cast<Pack<T>>(__builtin_shufflevector(std::bit_cast<Vector>(below),
+                                                            std::bit_cast<Vector>(lanes),
+                                                            static_cast<int>(cells - k + lane)...));
+    }
+    (std::make_index_sequence<cells>());
+  } else { // in several registers
+    std::array<T, 2 * cells> both;
+    store_lanes(below, both.data());
+    store_lanes(lanes, &both[cells]);
+    return load_lanes(&both[cells - k]);
   }
-  (std::make_index_sequence<tile_cells<T>>());
 }
 
 // The lambdas of the passes are always_inline: GCC takes the larger ones out of line, and all
