@@ -9,11 +9,39 @@ template <int Dim, int width, std::size_t tile_cells>
 template <class T>
 void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
   if (tiles_.empty()) return rebuild(particles);
-  const std::vector<Move> moves = find_moves(particles);
   const std::size_t before = tiles_.size();
-  for (const Move& move : moves) carry_out(move, particles);
-  // A quarter of all rows, and some for scenes that are small.
-  if (particles.rows() > (ranks_ + ranks_ / 4 + 16) * tile_cells) return rebuild(particles);
+  const auto n = static_cast<std::int64_t>(before);
+  std::vector<Leaving> leaving(static_cast<std::size_t>(omp_get_max_threads()));
+#pragma omp parallel
+  {
+    Leaving& out = leaving[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(static)
+    for (std::int64_t slot = 0; slot < n; ++slot)
+      take_out(static_cast<std::uint32_t>(slot), particles, out);
+  }
+  for (const Leaving& out : leaving) {
+    idle_.insert(idle_.end(), out.ranks.begin(), out.ranks.end());
+    strays_ -= out.ranks.size();
+    unfilled_ += out.unfilled;
+    empty_tiles_ += out.emptied;
+  }
+  for (Leaving& out : leaving)
+    for (Move& move : out.moves) find_row(move);
+  particles.resize(next_.size() * tile_cells);
+  const std::size_t bytes = particles.row_bytes();
+  const auto lists = static_cast<std::int64_t>(leaving.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < lists; ++k) {
+    const Leaving& out = leaving[static_cast<std::size_t>(k)];
+    for (std::size_t m = 0; m < out.moves.size(); ++m)
+      particles.put_in(out.moves[m].to_row, &out.points[m * bytes]);
+  }
+
+  constexpr std::size_t few = 4; // of a small scene
+  const bool idle = idle_.size() + static_cast<std::size_t>(unfilled_) > next_.size() / 4 + few;
+  const bool disorderly = strays_ > next_.size() / 16 + few;
+  const bool empty = empty_tiles_ > tiles_.size() / 4 + few;
+  if (idle || disorderly || empty) return rebuild(particles);
   if (tiles_.size() == before) return;
   find_node_runs();
   find_sides();
@@ -22,8 +50,9 @@ void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
 template <int Dim, int width, std::size_t tile_cells>
 auto CellOrder<Dim, width, tile_cells>::cell(std::size_t tile, std::size_t lane) const -> Cell {
   const Tile& in = tiles_[tile];
-  Cell cell = {in.along, in.first_node + static_cast<int>(lane), entry(tile) + lane, in.row + lane,
-               in.count[lane]};
+  Cell cell = {
+      in.along,      in.first_node + static_cast<int>(lane), entry(tile) + lane, ranks(in), lane,
+      in.count[lane]};
   cell.along[0] += static_cast<int>(lane);
   return cell;
 }
@@ -49,98 +78,93 @@ auto CellOrder<Dim, width, tile_cells>::empty_tile(int index) const -> Tile {
   return tile;
 }
 
-/// Tile by tile, from the last rank of each on: so that a move changes no later one's rank.
+/// Takes the points that have left their cells out of a tile's rows.
 template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-auto CellOrder<Dim, width, tile_cells>::find_moves(const Particles<Dim, T>& particles) const
-    -> std::vector<Move> {
-  std::vector<std::vector<Move>> of_thread(static_cast<std::size_t>(omp_get_max_threads()));
-  const auto n = static_cast<std::int64_t>(tiles_.size());
-#pragma omp parallel
-  {
-    std::vector<Move>& own = of_thread[static_cast<std::size_t>(omp_get_thread_num())];
-    using Places = Lanes<Real, tile_cells>;
-    const auto lane_number = lane_numbers<Real, tile_cells>();
-#pragma omp for schedule(static)
-    for (std::int64_t k = 0; k < n; ++k) {
-      const auto slot = static_cast<std::uint32_t>(k);
-      const Tile& tile = tiles_[slot];
-      const Places count([&](auto lane) { return static_cast<Real>(tile.count[lane]); });
-      for (std::uint32_t rank = tile.ranks; rank-- > 0;) {
-        const std::size_t row = tile.row + rank * tile_cells;
-        auto left = count < 0.0;
-        for (std::size_t i = 0; i < Dim; ++i) {
-          Places xi =
-              grid_->scaled(Places(&particles.x[i][row], std::experimental::element_aligned), i) -
-              static_cast<Real>(tile.along[i]);
-          if (i == 0) xi -= lane_number;
-          left = left || xi < 0.0 || xi >= 1.0;
-        }
-        left = left && count > static_cast<Real>(rank);
-        if (none_of(left)) continue;
-        for (std::uint32_t lane = 0; lane < tile_cells; ++lane) {
-          if (!left[lane]) continue;
-          const auto to = grid_->along(grid_->cell_of(particles.position(row + lane)));
-          const int cell_row = grid_->row_of(to);
-          own.push_back({slot, rank, lane, cell_row * tiles_along_x() + to[0] / lanes,
-                         static_cast<std::uint32_t>(to[0] % lanes)});
-        }
-      }
+void CellOrder<Dim, width, tile_cells>::take_out(std::uint32_t slot, Particles<Dim, T>& particles,
+                                                 Leaving& out) {
+  using Places = Lanes<Real, tile_cells>;
+  Tile& tile = tiles_[slot];
+  const Places count([&](auto lane) { return static_cast<Real>(tile.count[lane]); });
+  const auto have_left = [&](const Rank& rank) {
+    auto left = count < 0.0;
+    for (std::size_t i = 0; i < Dim; ++i) {
+      Places xi =
+          grid_->scaled(Places(&particles.x[i][rank.row], std::experimental::element_aligned), i) -
+          static_cast<Real>(tile.along[i]);
+      if (i == 0) xi -= lane_numbers<Real, tile_cells>();
+      left = left || xi < 0.0 || xi >= 1.0;
+    }
+    return left && count > static_cast<Real>(rank.number);
+  };
+  bool all_here = true;
+  for (const Rank& rank : ranks(tile)) all_here = all_here && none_of(have_left(rank));
+  if (all_here) return;
+
+  // From the last rank on, so that what fills a gap is a point that stays.
+  std::vector<Rank> by_number;
+  for (const Rank& rank : ranks(tile)) by_number.push_back(rank);
+  for (std::uint32_t number = tile.ranks; number-- > 0;) {
+    const std::size_t row = by_number[number].row;
+    const auto left = have_left(by_number[number]);
+    for (std::uint32_t lane = 0; lane < tile_cells; ++lane) {
+      if (!left[lane]) continue;
+      const auto to = grid_->along(grid_->cell_of(particles.position(row + lane)));
+      out.moves.push_back({grid_->row_of(to) * tiles_along_x() + to[0] / lanes,
+                           static_cast<std::uint32_t>(to[0] % lanes), none});
+      const std::size_t taken = out.points.size();
+      out.points.resize(taken + particles.row_bytes());
+      particles.take_out(row + lane, &out.points[taken]);
+      const std::uint32_t last = --tile.count[lane];
+      if (number != last) particles.move_row(by_number[last].row + lane, row + lane);
     }
   }
-  std::vector<Move> moves;
-  for (const std::vector<Move>& own : of_thread) moves.insert(moves.end(), own.begin(), own.end());
-  return moves;
+  const auto unfilled = [&] { return tile.home > tile.ranks ? tile.home - tile.ranks : 0; };
+  out.unfilled -= unfilled();
+  tile.ranks = *std::ranges::max_element(tile.count);
+  out.unfilled += unfilled();
+  for (std::size_t number = std::max(tile.ranks, tile.home); number < by_number.size(); ++number)
+    out.ranks.push_back(static_cast<std::uint32_t>(by_number[number].row));
+  if (tile.ranks == 0) ++out.emptied;
 }
 
+/// In the cell that the point has come to.
 template <int Dim, int width, std::size_t tile_cells>
-template <class T>
-void CellOrder<Dim, width, tile_cells>::carry_out(const Move& move, Particles<Dim, T>& particles) {
+void CellOrder<Dim, width, tile_cells>::find_row(Move& move) {
   std::uint32_t& slot = slot_of_[static_cast<std::size_t>(move.to_tile)];
   if (slot == none) {
     slot = static_cast<std::uint32_t>(tiles_.size());
     tiles_.push_back(empty_tile(move.to_tile));
+    ++empty_tiles_;
   }
-  const auto row = [](const Tile& tile, std::uint32_t rank, std::uint32_t lane) {
-    return tile.row + rank * tile_cells + lane;
-  };
-
-  Tile& to = tiles_[slot];
-  const std::uint32_t place = to.count[move.to_lane];
-  if (place == to.capacity) grow(to, particles);
-  Tile& from = tiles_[move.slot];
-  particles.move_rows(row(from, move.rank, move.lane), row(to, place, move.to_lane), 1);
-  ++to.count[move.to_lane];
-  const std::uint32_t last = --from.count[move.lane];
-  if (move.rank != last)
-    particles.move_rows(row(from, last, move.lane), row(from, move.rank, move.lane), 1);
-
-  for (Tile* tile : {&to, &from}) {
-    ranks_ -= tile->ranks;
-    tile->ranks = *std::ranges::max_element(tile->count);
-    ranks_ += tile->ranks;
+  Tile& tile = tiles_[slot];
+  const std::uint32_t number = tile.count[move.to_lane]++;
+  const bool full = number == tile.ranks && number >= tile.home;
+  const std::uint32_t added = full ? take_rank() : none;
+  if (number == tile.ranks) {
+    if (number == 0) --empty_tiles_;
+    if (number < tile.home) --unfilled_;
+    ++tile.ranks;
   }
+  std::uint32_t* link = &tile.row;
+  for (std::uint32_t k = 0; k < number; ++k) link = &next_[*link / tile_cells];
+  if (full) *link = added;
+  move.to_row = *link + move.to_lane;
 }
 
-/// By one rank.
+/// Its first row.
 template <int Dim, int width, std::size_t tile_cells>
-template <class T>
-void CellOrder<Dim, width, tile_cells>::grow(Tile& tile, Particles<Dim, T>& particles) {
-  const std::uint32_t capacity = tile.capacity + 1;
-  if (free_.size() <= capacity) free_.resize(capacity + 1);
-  auto row = static_cast<std::uint32_t>(particles.rows());
-  if (free_[capacity].empty()) {
-    particles.resize(row + capacity * tile_cells);
-  } else {
-    row = free_[capacity].back();
-    free_[capacity].pop_back();
+std::uint32_t CellOrder<Dim, width, tile_cells>::take_rank() {
+  if (idle_.empty()) { // several more at once, the lowest one first
+    const std::size_t before = next_.size(), after = before + before / 64 + 1;
+    next_.resize(after, none);
+    for (std::size_t k = after; k-- > before;)
+      idle_.push_back(static_cast<std::uint32_t>(k * tile_cells));
   }
-  if (tile.capacity > 0) {
-    particles.move_rows(tile.row, row, tile.capacity * tile_cells);
-    free_[tile.capacity].push_back(tile.row);
-  }
-  tile.row = row;
-  tile.capacity = capacity;
+  const std::uint32_t row = idle_.back();
+  idle_.pop_back();
+  ++strays_;
+  return row;
 }
 
 /// Tiles in the order of the grid, their rows too, with as many ranks as they need.
@@ -163,9 +187,11 @@ void CellOrder<Dim, width, tile_cells>::rebuild(Particles<Dim, T>& particles) {
     if (row[p] != none) rank[p] = count[row[p]]++;
 
   tiles_.clear();
-  free_.clear();
+  next_.clear();
+  idle_.clear();
+  strays_ = empty_tiles_ = 0;
+  unfilled_ = 0;
   slot_of_.assign(static_cast<std::size_t>(tile_count()), none);
-  ranks_ = 0;
   for (std::size_t index = 0; index < slot_of_.size(); ++index) {
     const auto from = count.begin() + static_cast<std::ptrdiff_t>(index * tile_cells);
     const std::uint32_t most = *std::max_element(from, from + lanes);
@@ -173,9 +199,10 @@ void CellOrder<Dim, width, tile_cells>::rebuild(Particles<Dim, T>& particles) {
     slot_of_[index] = static_cast<std::uint32_t>(tiles_.size());
     Tile& tile = tiles_.emplace_back(empty_tile(static_cast<int>(index)));
     std::copy_n(from, tile_cells, tile.count.begin());
-    tile.capacity = tile.ranks = most;
-    tile.row = static_cast<std::uint32_t>(ranks_ * tile_cells);
-    ranks_ += most;
+    tile.ranks = tile.home = most;
+    tile.row = static_cast<std::uint32_t>(next_.size() * tile_cells);
+    for (std::uint32_t k = 0; k < most; ++k)
+      next_.push_back(static_cast<std::uint32_t>((next_.size() + 1) * tile_cells));
   }
 #pragma omp parallel for schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
@@ -185,7 +212,7 @@ void CellOrder<Dim, width, tile_cells>::rebuild(Particles<Dim, T>& particles) {
     row[p] = static_cast<std::uint32_t>(tiles_[slot_of_[row[p] / tile_cells]].row +
                                         rank[p] * tile_cells + lane);
   }
-  particles.rearrange(row, ranks_ * tile_cells);
+  particles.rearrange(row, next_.size() * tile_cells);
   find_node_runs();
   find_sides();
 }

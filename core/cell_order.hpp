@@ -17,15 +17,17 @@ struct SidePair {
 
 /// The occupied tiles: `tile_cells` cells that follow each other along x, from a multiple of it on.
 ///
-/// A tile owns rows of Particles, rank after rank: row + tile_cells * rank + lane is for the cell
-/// in that lane, and a cell's points fill its ranks from 0 on.  So the passes have a cell in each
-/// lane of their registers, with the cells' nodes one behind the other in memory; nothing has to
-/// be collected from or spread to different places.  The ranks that some cells of a tile do not
-/// fill are the price: empty rows, without mass.
+/// A tile owns ranks, which are `tile_cells` rows of Particles that follow each other, each for the
+/// cell in its lane; a cell's points fill its ranks from the first on.  So the passes have a cell
+/// in each lane of their registers, with the cells' nodes one behind the other in memory; nothing
+/// has to be collected from or spread to different places.  The lanes that some cells of a tile do
+/// not fill are the price: empty rows, without mass.
 ///
 /// A point that changes cell takes its state along to its new row, and the cell's last point fills
-/// the gap.  A tile that is full gets rows elsewhere.  Once too many rows are empty, all are put in
-/// order.  Which row is whose depends on the state alone, never on threads.
+/// the gap.  A tile has ranks of its own, one behind the other, and takes more from among some idle
+/// ones as its fullest cell needs them: a pass over ranks in no order takes up to twice as long
+/// where the memory is what it waits for.  Once too many are out of order or without points, all
+/// are put in order.  Which row is whose depends on the state alone, never on threads.
 ///
 /// What a tile gives nodes is added up in `tile_entries` entries for each line of nodes along x
 /// that it reaches; the nodes add up those of all tiles that reach them.
@@ -33,26 +35,68 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
  public:
   static constexpr std::size_t lines = static_cast<std::size_t>(power(width, Dim - 1));
   static constexpr std::size_t tile_entries = tile_cells + width - 1;
+  static constexpr std::uint32_t none = no_point; ///< no row, tile or run
 
   struct Tile {
-    int index;                                   ///< of all tiles of the grid
-    int first_node;                              ///< lowest node of its first cell
-    std::array<int, Dim> along;                  ///< cells before its first one along each axis
-    std::uint32_t row;                           ///< its first one
-    std::uint32_t capacity;                      ///< ranks that it has rows for
-    std::uint32_t ranks;                         ///< most points in one of its cells
+    int index;                  ///< of all tiles of the grid
+    int first_node;             ///< lowest node of its first cell
+    std::array<int, Dim> along; ///< cells before its first one along each axis
+    std::uint32_t row;          ///< the first one of its first rank
+    std::uint32_t ranks;        ///< most points in one of its cells
+    std::uint32_t home;         ///< ranks that it keeps whether it fills them or not
     std::array<std::uint32_t, tile_cells> count; ///< points in each cell
   };
+
+  /// The ranks of a tile, one after the other.
+  class Ranks {
+   public:
+    struct Rank {
+      std::uint32_t number;
+      std::size_t row; ///< its first one
+    };
+    class Iterator {
+     public:
+      Iterator(const std::uint32_t* next, std::uint32_t row, std::uint32_t number)
+          : next_(next), row_(row), number_(number) {}
+      Rank operator*() const { return {number_, row_}; }
+      Iterator& operator++() {
+        row_ = next_[row_ / tile_cells];
+        ++number_;
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return number_ != other.number_; }
+
+     private:
+      const std::uint32_t* next_;
+      std::uint32_t row_, number_;
+    };
+
+    Ranks(const std::uint32_t* next, const Tile& tile)
+        : next_(next), row_(tile.row), count_(tile.ranks) {}
+    Iterator begin() const { return {next_, row_, 0}; }
+    Iterator end() const { return {next_, none, count_}; }
+
+   private:
+    const std::uint32_t* next_;
+    std::uint32_t row_, count_;
+  };
+  using Rank = typename Ranks::Rank;
 
   /// An occupied cell, for what goes through it point by point.
   struct Cell {
     std::array<int, Dim> along; ///< cells before it along each axis
     int first_node;             ///< its lowest one
     std::size_t entry;          ///< of its first node along x
-    std::size_t first_row;
+    Ranks ranks;                ///< of its tile
+    std::size_t lane;
     std::size_t count; ///< points
 
-    std::size_t row(std::size_t k) const { return first_row + k * tile_cells; }
+    /// Of its k-th point.
+    std::size_t row(std::size_t k) const {
+      auto rank = ranks.begin();
+      while ((*rank).number < k) ++rank;
+      return (*rank).row + lane;
+    }
   };
 
   /// Up to tile_cells active nodes that follow each other along x, and the entries which they add
@@ -69,6 +113,7 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
   template <class T> void update(Particles<Dim, T>& particles);
 
   const std::vector<Tile>& tiles() const { return tiles_; }
+  Ranks ranks(const Tile& tile) const { return {next_.data(), tile}; }
   /// The cell in a lane of a tile; maybe without points.
   Cell cell(std::size_t tile, std::size_t lane) const;
   /// All occupied cells, tile after tile.
@@ -91,23 +136,26 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
 
   /// Bytes kept from step to step.
   std::size_t memory() const {
-    std::size_t bytes = bytes_of(tiles_, slot_of_, runs_, run_of_, free_);
-    for (const auto& rows : free_) bytes += bytes_of(rows);
+    std::size_t bytes = bytes_of(tiles_, slot_of_, next_, idle_, runs_, run_of_);
     for (const auto& axis : side_pairs_) bytes += bytes_of(axis[0], axis[1]);
     for (const auto& axis : side_tiles_) bytes += bytes_of(axis[0], axis[1]);
     return bytes;
   }
 
  private:
-  static constexpr std::uint32_t none = no_point;
-
-  /// A point that has left its cell.
+  /// A point on its way to another cell.
   struct Move {
-    std::uint32_t slot; ///< of its tile
-    std::uint32_t rank;
-    std::uint32_t lane;
     int to_tile; ///< index
     std::uint32_t to_lane;
+    std::uint32_t to_row;
+  };
+  /// What has left the tiles that one thread has looked at.
+  struct Leaving {
+    std::vector<Move> moves;
+    std::vector<std::byte> points;    ///< by move, see Particles::take_out
+    std::vector<std::uint32_t> ranks; ///< that nobody fills any more: their first rows
+    std::ptrdiff_t unfilled = 0;      ///< change of `unfilled_`
+    std::size_t emptied = 0;          ///< tiles
   };
 
   static constexpr int lanes = static_cast<int>(tile_cells);
@@ -115,9 +163,9 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
   int tiles_along_x() const { return (grid_->cells[0] - 1) / lanes + 1; }
   int tile_count() const { return grid_->cell_count / grid_->cells[0] * tiles_along_x(); }
   Tile empty_tile(int index) const;
-  template <class T> std::vector<Move> find_moves(const Particles<Dim, T>& particles) const;
-  template <class T> void carry_out(const Move& move, Particles<Dim, T>& particles);
-  template <class T> void grow(Tile& tile, Particles<Dim, T>& particles);
+  template <class T> void take_out(std::uint32_t slot, Particles<Dim, T>& particles, Leaving& out);
+  void find_row(Move& move);
+  std::uint32_t take_rank();
   template <class T> void rebuild(Particles<Dim, T>& particles);
   void find_node_runs();
   void find_sides();
@@ -125,9 +173,12 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
 
   const GridIndex<Dim>* grid_;
   std::vector<Tile> tiles_;
-  std::vector<std::uint32_t> slot_of_;           ///< in tiles_, of all tiles of the grid; or none
-  std::size_t ranks_ = 0;                        ///< of all tiles
-  std::vector<std::vector<std::uint32_t>> free_; ///< rows that a tile has left, by its capacity
+  std::vector<std::uint32_t> slot_of_; ///< in tiles_, of all tiles of the grid; or none
+  std::vector<std::uint32_t> next_;    ///< by rank: the first row of its tile's next one
+  std::vector<std::uint32_t> idle_;    ///< ranks that no tile has: their first rows
+  std::size_t strays_ = 0;             ///< ranks that tiles have taken, not at home
+  std::ptrdiff_t unfilled_ = 0;        ///< ranks at home without points
+  std::size_t empty_tiles_ = 0;
   std::vector<NodeRun> runs_;
   std::vector<std::uint32_t> run_of_; ///< in runs_, of all runs of the grid; or none
   std::array<std::array<std::vector<SidePair>, 2>, Dim> side_pairs_;

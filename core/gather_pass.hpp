@@ -1,5 +1,5 @@
-// Cells to points (G2P): the points' velocities and, unless it comes with the strain, the step's
-// displacement; for MUSL the new momenta go back to the cells' nodes in the same sweep.
+// Cells to points (G2P): the points' velocities; for MUSL the new momenta go back to the cells'
+// nodes in the same sweep.
 #pragma once
 
 #include "core/rank_weights.hpp"
@@ -13,7 +13,7 @@ namespace scarp {
 /// Returns the squares of the largest speeds, by lane.
 template <int Dim, bool affine, class Shape>
 [[gnu::hot]] Pack<typename Shape::Number>
-gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Real flip, Real dt) {
+gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Real flip) {
   using T = typename Shape::Number;
   using Sums = TileSums<Dim, Shape>;
   Particles<Dim, T>& points = state.particles;
@@ -22,8 +22,8 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
   std::array<typename Sums::OfCells, Dim> mv;
   unrolled<Dim>([&](auto i) __attribute__((always_inline)) { Sums::clear(mv[i]); });
   Pack<T> fastest2 = T(0);
-  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
-    const std::size_t row = tile.row(rank);
+  for (const auto rank : tile.ranks()) {
+    const std::size_t row = rank.row;
     const auto empty = !tile.filled(rank);
     const std::array<Pack<T>, Dim> xi = tile.local_position(rank);
     const RankWeights<Dim, Shape> weights(xi, tile.stencil());
@@ -39,7 +39,6 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
       where(empty, v_I) = 0.0F;
       where(empty, v) = 0.0F;
       store_lanes(v, &points.v[i][row]);
-      if (!state.moves_with_strain) store_lanes(number<T>(dt) * v_I, &points.dx[i][row]);
       m_v[i] = m * v;
       v2 += v * v;
       v_grid2 += v_I * v_I;
@@ -71,15 +70,13 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
   return fastest2;
 }
 
-/// dx_p = dt sum_I N_I v_I
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
 /// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
 /// N_I.
 /// Returns the largest of |v_p| and |sum_I N_I v_I|, m/s; with gradients at a control point's
 /// distance, |v_p| + h/2 |C_p|.
-template <int Dim, bool remap, class Shape>
-Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
+template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& state, Real flip) {
   using T = typename Shape::Number;
   Real fastest2 = 0.0;
   const auto tiles = static_cast<std::int64_t>(state.order.tiles().size());
@@ -89,8 +86,9 @@ Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
       Pack<T> of_thread = T(0);
 #pragma omp for schedule(static)
       for (std::int64_t tile = 0; tile < tiles; ++tile)
-        of_thread = max(of_thread, gather_tile<Dim, affine.value>(
-                                       state, static_cast<std::size_t>(tile), remap, flip, dt));
+        of_thread =
+            max(of_thread,
+                gather_tile<Dim, affine.value>(state, static_cast<std::size_t>(tile), remap, flip));
       fastest2 = std::max(fastest2, static_cast<Real>(hmax(of_thread)));
     }
   });

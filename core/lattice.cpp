@@ -69,7 +69,6 @@ void add_point(Particles<Dim>& points, const Scene& scene, std::size_t region, s
     const auto i = static_cast<std::size_t>(a);
     points.x[i].push_back(x[scene_axis<Dim>(a)]);
     points.v[i].push_back(scene.regions[region].velocity[scene_axis<Dim>(a)]);
-    points.dx[i].push_back(0.0);
   }
   for (Column& column : points.tau) column.push_back(0.0);
   points.m.push_back(volume * scene.materials[material].density);

@@ -6,6 +6,7 @@
 #include "core/walls.hpp"
 
 #include <type_traits>
+#include <utility>
 
 namespace scarp {
 
@@ -73,6 +74,7 @@ template <int Dim, class Shape>
 void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   using T = typename Shape::Number;
   Nodes<Dim, T>& nodes = state.nodal.nodes;
+  state.nodal.remapped = false;
   const auto add_up_masses = [&](const auto& run) {
     const auto first = static_cast<std::size_t>(run.node);
     const Pack<T> m = add_up<Dim, Shape>(run, state.nodal.sums.m);
@@ -163,8 +165,11 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
 }
 
 /// MUSL: v_I from the points' updated momenta; masses and weights are those of the first mapping.
+/// The velocities before it are in f then.
 template <int Dim, class Shape>
 void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls, Real dt) {
+  state.nodal.remapped = true;
+  std::swap(state.nodal.nodes.v, state.nodal.nodes.f);
   sweep_nodes(
       state, walls, [&](const auto& run) { add_up_momenta(state, run); },
       [&] { add_images(state, walls, state.nodal.nodes.v); },

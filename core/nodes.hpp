@@ -68,7 +68,8 @@ template <int Dim, class T = Real> struct Nodes {
   Column m; ///< kg
   /// 1/kg, of what moves together: the node and its images (core/walls.hpp); 0 without mass.
   Column inv_m;
-  std::array<Column, Dim> f;  ///< N, with gravity
+  /// N, with gravity; with MUSL from the remapping on, which needs no forces, m/s: v before it
+  std::array<Column, Dim> f;
   std::array<Column, Dim> v;  ///< m/s, after the latest constraint
   std::array<Column, Dim> dv; ///< m/s, change by the forces of this step
   /// N, of local damping in this step; empty without it, and if no one asks (core/node_pass.hpp)
@@ -79,8 +80,9 @@ template <int Dim, class T = Real> struct Nodes {
 template <int Dim, class Shape> struct GridState {
   TileSums<Dim, Shape> sums;
   Nodes<Dim, typename Shape::Number> nodes;
-  Column damped;     ///< J, taken in this step by local damping, by run of nodes
-  Real rubbed = 0.0; ///< J, taken in this step by friction on walls
+  bool remapped = false; ///< whether MUSL has mapped the points' new momenta in this step
+  Column damped;         ///< J, taken in this step by local damping, by run of nodes
+  Real rubbed = 0.0;     ///< J, taken in this step by friction on walls
   /// By axis, side and pair (CellOrder::side_pairs): what friction has done in this step.
   struct Rub {
     Vec<Dim> dv = {};   ///< m/s, to the velocity on the side, along it

@@ -5,8 +5,11 @@
 #include "core/types.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -27,7 +30,6 @@ template <int Dim, class T = Real> struct Particles {
 
   std::array<ColumnOf<Real>, Dim> x;        ///< m, position
   std::array<Column, Dim> v;                ///< m/s
-  std::array<Column, Dim> dx;               ///< m, displacement of the current step
   std::array<Column, tensor_size<Dim>> tau; ///< Pa, Kirchhoff stress (see core/stress_pass.hpp)
   /// 1/s, C[Dim i + j] = d v_i / d x_j around the point; empty unless transfers are affine
   std::array<Column, static_cast<std::size_t>(Dim) * Dim> C;
@@ -50,7 +52,6 @@ template <int Dim, class T = Real> struct Particles {
       column.assign(from.begin(), from.end());
     };
     for (std::size_t i = 0; i < Dim; ++i) take(v[i], other.v[i]);
-    for (std::size_t i = 0; i < Dim; ++i) take(dx[i], other.dx[i]);
     for (std::size_t i = 0; i < tau.size(); ++i) take(tau[i], other.tau[i]);
     for (std::size_t i = 0; i < C.size(); ++i) take(C[i], other.C[i]);
     take(m, other.m);
@@ -80,8 +81,12 @@ template <int Dim, class T = Real> struct Particles {
   /// Row p becomes row to[p], if that is a row; all others are empty.
   void rearrange(const std::vector<std::uint32_t>& to, std::size_t new_rows) {
     const auto n = static_cast<std::int64_t>(rows());
+    // The columns pass their memory on: what is new has to be given by the system, page by page.
+    std::tuple<ColumnOf<Real>, ColumnOf<float>, ColumnOf<std::uint32_t>, ColumnOf<std::uint8_t>>
+        spare;
     for_each_column([&](auto& column) {
-      std::remove_cvref_t<decltype(column)> fresh(new_rows, of_empty_row(column));
+      auto& fresh = std::get<std::remove_cvref_t<decltype(column)>>(spare);
+      fresh.assign(new_rows, of_empty_row(column));
 #pragma omp parallel for schedule(static)
       for (std::int64_t k = 0; k < n; ++k) {
         const auto p = static_cast<std::size_t>(k);
@@ -91,11 +96,34 @@ template <int Dim, class T = Real> struct Particles {
     });
   }
 
-  /// Rows that follow each other, to others, which must not overlap; they are empty then.
-  void move_rows(std::size_t from, std::size_t to, std::size_t count) {
+  /// Bytes of a row on its way to another one.
+  std::size_t row_bytes() const {
+    std::size_t bytes = 0;
+    for_each_column([&](const auto& column) { bytes += sizeof(column[0]); });
+    return bytes;
+  }
+
+  /// Takes the point out of a row, which is empty then.
+  void take_out(std::size_t row, std::byte* to) {
     for_each_column([&](auto& column) {
-      std::copy_n(&column[from], count, &column[to]);
-      std::fill_n(&column[from], count, of_empty_row(column));
+      std::memcpy(to, &column[row], sizeof(column[row]));
+      to += sizeof(column[row]);
+      column[row] = of_empty_row(column);
+    });
+  }
+
+  void put_in(std::size_t row, const std::byte* from) {
+    for_each_column([&](auto& column) {
+      std::memcpy(&column[row], from, sizeof(column[row]));
+      from += sizeof(column[row]);
+    });
+  }
+
+  /// A point goes to another row; its own is empty then.
+  void move_row(std::size_t from, std::size_t to) {
+    for_each_column([&](auto& column) {
+      column[to] = column[from];
+      column[from] = of_empty_row(column);
     });
   }
 
@@ -107,32 +135,34 @@ template <int Dim, class T = Real> struct Particles {
   /// Bytes of all columns.
   std::size_t memory() const {
     std::size_t bytes = 0;
-    // It lends columns to those who change them as well.
-    const_cast<Particles&>(*this).for_each_column(
-        [&](const auto& column) { bytes += bytes_of(column); });
+    for_each_column([&](const auto& column) { bytes += bytes_of(column); });
     return bytes;
   }
 
   /// Calls visit(column) for every column in use, whatever its type.
-  template <class Visit> void for_each_column(Visit&& visit) {
-    for (auto& column : x) visit(column);
-    for (auto& column : v) visit(column);
-    for (auto& column : dx) visit(column);
-    for (auto& column : tau) visit(column);
-    if (affine())
-      for (auto& column : C) visit(column);
-    visit(m);
-    visit(V0);
-    visit(J);
-    if (!gap.empty()) visit(gap);
-    visit(plastic_strain);
-    visit(dissipation);
-    visit(id);
-    visit(material);
-    visit(region);
+  template <class Visit> void for_each_column(Visit&& visit) { for_each_column_of(*this, visit); }
+  template <class Visit> void for_each_column(Visit&& visit) const {
+    for_each_column_of(*this, visit);
   }
 
  private:
+  template <class Self, class Visit> static void for_each_column_of(Self& self, Visit&& visit) {
+    for (auto& column : self.x) visit(column);
+    for (auto& column : self.v) visit(column);
+    for (auto& column : self.tau) visit(column);
+    if (self.affine())
+      for (auto& column : self.C) visit(column);
+    visit(self.m);
+    visit(self.V0);
+    visit(self.J);
+    if (!self.gap.empty()) visit(self.gap);
+    visit(self.plastic_strain);
+    visit(self.dissipation);
+    visit(self.id);
+    visit(self.material);
+    visit(self.region);
+  }
+
   template <class Number> Number of_empty_row(const ColumnOf<Number>& column) const {
     if constexpr (std::is_same_v<Number, std::uint32_t>) return no_point;
     return static_cast<Number>(static_cast<const void*>(&column) == &J ? 1 : 0);

@@ -13,12 +13,11 @@ enum class Phase {
   nodes,   ///< cells to nodes, momentum, walls
   gather,  ///< G2P: nodes to points; MUSL: in the same sweep the new momenta back to cells
   remap,   ///< MUSL: cells to nodes once more
-  stress,  ///< strain rates and laws
-  move,    ///< of the points
+  stress,  ///< strain rates, laws, and motion of the points
 };
 
-inline constexpr std::array<const char*, 7> phase_names = {"sort",  "scatter", "nodes", "gather",
-                                                           "remap", "stress",  "move"};
+inline constexpr std::array<const char*, 6> phase_names = {"sort",   "scatter", "nodes",
+                                                           "gather", "remap",   "stress"};
 inline constexpr std::size_t phase_count = phase_names.size();
 
 constexpr const char* name_of(Phase phase) { return phase_names[static_cast<std::size_t>(phase)]; }

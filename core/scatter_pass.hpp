@@ -15,8 +15,8 @@ template <int Dim, class Shape>
 mean_stress_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& tile) {
   using T = typename Shape::Number;
   Pack<T> sum = T(0), weight = T(0);
-  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
-    const std::size_t row = tile.row(rank);
+  for (const auto rank : tile.ranks()) {
+    const std::size_t row = rank.row;
     const Pack<T> V0 = load_lanes(&state.particles.V0[row]);
     Pack<T> trace = T(0);
     for (std::size_t i = 0; i < 3; ++i) trace += load_lanes(&state.particles.tau[i][row]);
@@ -50,8 +50,8 @@ template <int Dim, bool affine, class Shape>
     Sums::clear(f[i]);
   });
 
-  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
-    const std::size_t row = tile.row(rank);
+  for (const auto rank : tile.ranks()) {
+    const std::size_t row = rank.row;
     const std::array<Pack<T>, Dim> xi = tile.local_position(rank);
     const RankWeights<Dim, Shape> weights(xi, tile.stencil());
     const Pack<T> m_p = load_lanes(&points.m[row]);

@@ -11,6 +11,7 @@
 #include "core/lattice.hpp"
 #include "core/loads.hpp"
 #include "core/material_model.hpp"
+#include "core/move_pass.hpp"
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
 #include "core/static_equilibrium.hpp"
@@ -113,7 +114,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       done(Phase::scatter);
       gather_momentum_pass(state_, walls_);
       done(Phase::nodes);
-      update_stress_of_all(dt);
+      for_each_tile(state_, [&](std::size_t tile) { update_stress(tile, dt); });
       done(Phase::stress);
       scatter_pass<Dim, Terms::force>(state_, loads_.own());
       done(Phase::scatter);
@@ -127,25 +128,23 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     done(Phase::nodes);
 
     if (scheme == Scheme::musl) {
-      fastest_ = gather_pass<Dim, true>(state_, flip(), dt);
+      fastest_ = gather_pass<Dim, true>(state_, flip());
       done(Phase::gather);
       remap_velocity_pass(state_, walls_, dt);
       done(Phase::remap);
     } else {
-      fastest_ = gather_pass<Dim, false>(state_, flip(), dt);
+      fastest_ = gather_pass<Dim, false>(state_, flip());
       done(Phase::gather);
     }
-    if (scheme != Scheme::usf) update_stress_of_all(dt);
+    if (scheme == Scheme::usf)
+      check(move_pass(state_, dt, [](std::size_t) {}));
+    else
+      check(move_pass(state_, dt, [&](std::size_t tile) { update_stress(tile, dt); }));
     add_up_losses();
-    check_positions();
-    check_volumes();
-    done(Phase::stress);
-
-    move_points();
     if (loads_.vary()) loads_.settle(state_.particles);
     time_ = end;
     ++steps_;
-    done(Phase::move);
+    done(Phase::stress);
     return dt;
   }
 
@@ -276,12 +275,13 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     return {left, target};
   }
 
-  void update_stress_of_all(Real dt) {
+  /// Of a tile's points, material by material.
+  void update_stress(std::size_t tile, Real dt) {
     for (std::size_t k = 0; k < materials_.size(); ++k)
       std::visit(
           [&](const auto& law) {
-            stress_pass<Dim>(state_, static_cast<std::uint8_t>(k), materials_[k].moduli, law,
-                             materials_[k].opens, dt);
+            stress_of_tile<Dim>(state_, tile, static_cast<std::uint8_t>(k), materials_[k].moduli,
+                                law, materials_[k].opens, dt);
           },
           materials_[k].update);
   }
@@ -303,15 +303,6 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     friction_work_ += state_.nodal.rubbed;
   }
 
-  void move_points() {
-    auto& points = state_.particles;
-    const auto n = static_cast<std::int64_t>(points.rows());
-#pragma omp parallel for schedule(static)
-    for (std::int64_t k = 0; k < n; ++k)
-      for (std::size_t i = 0; i < Dim; ++i)
-        points.x[i][static_cast<std::size_t>(k)] += points.dx[i][static_cast<std::size_t>(k)];
-  }
-
   Real gap(std::size_t p) const {
     return state_.particles.gap.empty() ? 0.0 : state_.particles.gap[p];
   }
@@ -322,33 +313,12 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     return std::sqrt(v2);
   }
 
-  void check_positions() const {
-    const auto& x = state_.particles.x;
-    const auto& dx = state_.particles.dx;
-    const auto n = static_cast<std::int64_t>(state_.particles.rows());
-    std::uint32_t outside = no_point;
-#pragma omp parallel for schedule(static) reduction(min : outside)
-    for (std::int64_t k = 0; k < n; ++k) {
-      const auto p = static_cast<std::size_t>(k);
-      Vec<Dim> x_new;
-      for (std::size_t i = 0; i < Dim; ++i) x_new[i] = x[i][p] + dx[i][p];
-      if (!state_.grid.contains(x_new)) outside = std::min(outside, state_.particles.id[p]);
-    }
-    if (outside != no_point)
-      fail(outside, "leaves the grid or is no number any more",
+  void check(const LostPoints& lost) const {
+    if (lost.outside != no_point)
+      fail(lost.outside, "leaves the grid or is no number any more",
            "enlarge the grid, or lower time.cfl");
-  }
-
-  void check_volumes() const {
-    const auto n = static_cast<std::int64_t>(state_.particles.rows());
-    std::uint32_t bad = no_point;
-#pragma omp parallel for schedule(static) reduction(min : bad)
-    for (std::int64_t k = 0; k < n; ++k) {
-      const auto p = static_cast<std::size_t>(k);
-      if (!(state_.particles.J[p] > 0.0)) bad = std::min(bad, state_.particles.id[p]);
-    }
-    if (bad != no_point)
-      fail(bad, "has a negative volume",
+    if (lost.turned_over != no_point)
+      fail(lost.turned_over, "has a negative volume",
            "lower time.cfl, or look for a point thrown against a wall");
   }
 

@@ -31,7 +31,7 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
   /// Whether points move with the velocity that strains them, the remapped one: see
-  /// core/stress_pass.hpp.
+  /// core/move_pass.hpp.
   bool moves_with_strain = false;
 
   State(const Grid& scene_grid, Particles<Dim, Number> points, bool tracks_fraction = false)
@@ -69,35 +69,45 @@ void for_each_cell_of(const State<Dim, Shape>& state, std::size_t tile, Visit&& 
 /// Where the lanes of a tile lie, and which of them have points.
 template <int Dim, class Shape> class TileLanes {
   using T = typename Shape::Number;
-  using Places = Lanes<Real, tile_cells<T>>;
+  using Order = CellOrder<Dim, Shape::width, tile_cells<T>>;
 
  public:
+  using Places = Lanes<Real, tile_cells<T>>;
   [[gnu::always_inline]] TileLanes(const State<Dim, Shape>& state, std::size_t tile)
       : state_(state), tile_(state.order.tiles()[tile]),
         stencil_(state.grid, tile_.along, state.half_point),
         count_([this](auto lane) { return static_cast<T>(tile_.count[lane]); }) {}
 
-  std::size_t ranks() const { return tile_.ranks; }
-  /// The first row of a rank.
-  std::size_t row(std::size_t rank) const { return tile_.row + rank * tile_cells<T>; }
+  using Rank = typename Order::Rank;
+
+  auto ranks() const { return state_.order.ranks(tile_); }
   /// Lanes with a point of this rank.
-  [[gnu::always_inline]] auto filled(std::size_t rank) const {
-    return count_ > static_cast<T>(rank);
+  [[gnu::always_inline]] auto filled(const Rank& rank) const {
+    return count_ > static_cast<T>(rank.number);
   }
   /// Rows of a rank with this material; empty ones have material 0.
-  [[gnu::always_inline]] auto of_material(std::size_t rank, std::uint8_t material) const {
-    const std::uint8_t* of_rows = &state_.particles.material[row(rank)];
+  [[gnu::always_inline]] auto of_material(const Rank& rank, std::uint8_t material) const {
+    const std::uint8_t* of_rows = &state_.particles.material[rank.row];
     const Pack<T> own([&](auto lane) { return static_cast<T>(of_rows[lane]); });
     return own == static_cast<T>(material);
   }
   const StencilCell<Dim>& stencil() const { return stencil_; } ///< of the first cell
 
+  /// The same for numbers in double precision.
+  [[gnu::always_inline]] auto filled_places(const Rank& rank) const {
+    const Places count([this](auto lane) { return static_cast<Real>(tile_.count[lane]); });
+    return count > static_cast<Real>(rank.number);
+  }
+  /// m, of a rank's points along an axis.
+  [[gnu::always_inline]] Places position(const Rank& rank, std::size_t axis) const {
+    return Places(&state_.particles.x[axis][rank.row], std::experimental::element_aligned);
+  }
+
   /// Where a rank's points lie in their cells, each component in [0, 1).
-  [[gnu::always_inline]] std::array<Pack<T>, Dim> local_position(std::size_t rank) const {
+  [[gnu::always_inline]] std::array<Pack<T>, Dim> local_position(const Rank& rank) const {
     std::array<Pack<T>, Dim> xi;
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
-      const Places x(&state_.particles.x[i][row(rank)], std::experimental::element_aligned);
-      Places own = state_.grid.scaled(x, i) - stencil_.corner[i];
+      Places own = state_.grid.scaled(position(rank, i), i) - stencil_.corner[i];
       if constexpr (i == 0) own -= lane_numbers<Real, tile_cells<T>>();
       xi[i] = std::experimental::static_simd_cast<Pack<T>>(own);
     });
@@ -114,7 +124,7 @@ template <int Dim, class Shape> class TileLanes {
 
  private:
   const State<Dim, Shape>& state_;
-  const typename CellOrder<Dim, Shape::width, tile_cells<T>>::Tile& tile_;
+  const typename Order::Tile& tile_;
   StencilCell<Dim> stencil_;
   Pack<T> count_;
 };

@@ -14,15 +14,6 @@
 // there is one constraint a cell (B-bar, Hughes 1980, doi 10.1002/nme.1620150914, with the points
 // for a rule).  The power sum_p V0_p tau_p : d_p is then that of the force in which the mean stress
 // of every point is the cell's mean(p): again adjoint, again no energy from nothing.
-//
-// Motion.  With MUSL the strain sees the remapped velocity v*; as published, points move with the
-// one before it, v.  The two differ by what the points do not keep: a node that hardly carries mass
-// has a velocity dt f/m afresh each step, and in v it moves the points beside it.  Then strain and
-// place drift apart, and a film that lies at rest on a wall creeps, by dt g (x/h)^2 / 2, against
-// gravity.  With affine transfers points therefore move with v* (`moves_with_strain`): what gravity
-// does to points is then what it does to nodes, and for a steady v* = R (v* + dt f/m), with the
-// transfers there and back as a symmetric R between 0 and 1, the power f . v* of what is not in
-// balance is never negative, so nothing at rest gains energy.
 #pragma once
 
 #include "core/drucker_prager.hpp"
@@ -122,7 +113,7 @@ PlasticStep<T> update_stress(SymTensor<Dim, T>& tau, const Mat<Dim, T>& grad_v, 
 template <int Dim, class Shape>
 [[gnu::always_inline]] inline Mat<Dim, Pack<typename Shape::Number>>
 velocity_gradients(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& tile,
-                   const auto& along, std::size_t rank) {
+                   const auto& along, const auto& rank) {
   const auto empty = !tile.filled(rank);
   Mat<Dim, Pack<typename Shape::Number>> grad_v;
   unrolled<Dim>([&](auto j) __attribute__((always_inline)) {
@@ -142,10 +133,10 @@ template <int Dim, class Shape>
 mean_rate_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& tile) {
   using T = typename Shape::Number;
   Pack<T> sum = T(0), weight = T(0);
-  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
+  for (const auto rank : tile.ranks()) {
     const auto along = Shape::along(tile.local_position(rank), tile.stencil());
     const auto grad_v = velocity_gradients(state, tile, along, rank);
-    const Pack<T> V0 = load_lanes(&state.particles.V0[tile.row(rank)]);
+    const Pack<T> V0 = load_lanes(&state.particles.V0[rank.row]);
     for (std::size_t i = 0; i < Dim; ++i) sum += V0 * grad_v[i][i];
     weight += V0;
   }
@@ -163,8 +154,8 @@ template <int Dim, bool opens, class Law, class Shape>
   const TileLanes<Dim, Shape> tile(state, number_of_tile);
   Pack<T> mean_rate = T(0);
   if (state.averages_volume) mean_rate = mean_rate_of_cells(state, tile);
-  for (std::size_t rank = 0; rank < tile.ranks(); ++rank) {
-    const std::size_t row = tile.row(rank);
+  for (const auto rank : tile.ranks()) {
+    const std::size_t row = rank.row;
     const auto own = tile.filled(rank) && tile.of_material(rank, material);
     if (none_of(own)) continue;
     const auto store = [&](const Pack<T>& values, ColumnOf<T>& column)
@@ -174,11 +165,6 @@ template <int Dim, bool opens, class Law, class Shape>
       store_lanes(all, &column[row]);
     };
     const auto along = Shape::along(tile.local_position(rank), tile.stencil());
-    if (state.moves_with_strain)
-      unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
-        store(number<T>(dt) * interpolate(along.w, tile.at_nodes(state.nodal.nodes.v[i])),
-              points.dx[i]);
-      });
     const Mat<Dim, Pack<T>> grad_v = velocity_gradients(state, tile, along, rank);
     Pack<T> rate = T(0), dilation = T(0);
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) { rate += grad_v[i][i]; });
@@ -213,15 +199,22 @@ template <int Dim, bool opens, class Law, class Shape>
   }
 }
 
+/// The same, with Opening at run time.
+template <int Dim, class Law, class Shape>
+void stress_of_tile(State<Dim, Shape>& state, std::size_t tile, std::uint8_t material,
+                    const ElasticModuli& moduli, const Law& law, bool opens, Real dt) {
+  with_flag(opens, [&](auto with_gaps) {
+    stress_tile<Dim, with_gaps.value>(state, tile, material, moduli, law, dt);
+  });
+}
+
 /// All points of one material (which remembers gaps, if it `opens`), with the nodes' present
 /// velocities.
 template <int Dim, class Law, class Shape>
 void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticModuli& moduli,
                  const Law& law, bool opens, Real dt) {
-  with_flag(opens, [&](auto with_gaps) {
-    for_each_tile(state, [&](std::size_t tile) {
-      stress_tile<Dim, with_gaps.value>(state, tile, material, moduli, law, dt);
-    });
+  for_each_tile(state, [&](std::size_t tile) {
+    stress_of_tile<Dim>(state, tile, material, moduli, law, opens, dt);
   });
 }
 

@@ -137,16 +137,15 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
   set(Phase::nodes, ((1 + 2 * d) * lines + 2 + d + d + 4 * d + d) / points_of_cell,
       tile + 2 * neighbours + 3 * node + number / points_of_cell);
   set(Phase::gather,
-      place + functions + products + 2 * d * I + 4 * d + (affine ? 0 : d) + 4 * d + d + d * value +
+      place + functions + products + 2 * d * I + 4 * d + 4 * d + d + d * value +
           d * lines * (w - 1) / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
-      (d + 2 * d + d + 1) * number + 2 * gradients + moments + node);
+      (d + 2 * d + 1) * number + 2 * gradients + moments + node);
   set(Phase::remap, (d * lines + d) / points_of_cell, moments + neighbours + 2 * node);
-  // With affine transfers points move with the strain; at last it is looked whether they leave.
+  // At last the points move, and it is looked whether they leave.
   set(Phase::stress,
-      place + functions + derivatives + d2 * I + I + 2 + law<Dim>() + d + 5 + 2 +
-          (affine ? d * I + d : 0) + 3 * d,
-      (d + 2 * t + 2 * 4 + 1) * number + 1.0 + node);
-  set(Phase::move, d, 3 * d * number);
+      place + functions + derivatives + d2 * I + I + 2 + law<Dim>() + d + 5 + 2 + d * I + 2 * d +
+          2 * d,
+      (2 * d + 2 * t + 2 * 4) * number + 1.0 + node);
   return cost;
 }
 

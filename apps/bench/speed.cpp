@@ -41,7 +41,7 @@ void print(const Machine& machine) {
   fmt::print("{:>3} {:12} {:9} {:>7} {:>9} {:>7} {:>7} {:>6} {:>6} {:>6} {:>5} {:>5} {:>6}", "dim",
              "shape", "precision", "threads", "points", "rate", "alone", "spread", "peak", "band-",
              "flop/", "B/pt", "yields");
-  for (const char* name : {"sort", "P2G", "grid", "G2P", "remap", "stress", "move", "output"})
+  for (const char* name : {"sort", "P2G", "grid", "G2P", "remap", "stress", "output"})
     fmt::print(" {:>6}", name);
   fmt::print("\n{:>79} {:>6} {:>5}\n", "FLOPS", "width", "step");
   std::fflush(stdout);

@@ -27,7 +27,6 @@ std::string column_of(Phase phase) {
   case Phase::sort:
   case Phase::remap:
   case Phase::stress:
-  case Phase::move:
     break;
   }
   return name_of(phase);

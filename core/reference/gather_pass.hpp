@@ -1,6 +1,5 @@
 // Cells to points (G2P), a point and a node at a time: what core/gather_pass.hpp does fast.
-// The points' velocities and the step's displacement; for MUSL the new
-// momenta go back to the cells' corners in the same sweep.
+// The points' velocities; for MUSL the new momenta go back to the cells' corners in the same sweep.
 #pragma once
 
 #include "core/affine.hpp"
@@ -12,15 +11,13 @@
 
 namespace scarp::reference {
 
-/// dx_p = dt sum_I N_I v_I
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
 /// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
 /// N_I.
 /// Returns the largest of |v_p| and |sum_I N_I v_I|, m/s; with gradients at a control point's
 /// distance, |v_p| + h/2 |C_p|.
-template <int Dim, bool remap, class Shape>
-Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
+template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& state, Real flip) {
   constexpr std::size_t corners = State<Dim, Shape>::corners;
   const bool affine = state.particles.affine();
   Particles<Dim>& points = state.particles;
@@ -53,7 +50,6 @@ Real gather_pass(State<Dim, Shape>& state, Real flip, Real dt) {
       for (std::size_t i = 0; i < Dim; ++i) {
         v_p[i] = flip * (points.v[i][p] + dv_grid[i]) + (1.0 - flip) * v_grid[i];
         points.v[i][p] = v_p[i];
-        if (!state.moves_with_strain) points.dx[i][p] = dt * v_grid[i];
         v2 += v_p[i] * v_p[i];
         v_grid2 += v_grid[i] * v_grid[i];
       }

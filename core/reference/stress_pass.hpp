@@ -40,9 +40,6 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
           sum += shape.N[c] * at_nodes(state, cell, values)(c);
         return sum;
       };
-      if (state.moves_with_strain)
-        for (std::size_t i = 0; i < Dim; ++i)
-          points.dx[i][p] = dt * interpolated(state.nodal.nodes.v[i]);
       const Real dilation = state.averages_volume ? mean_rate - divergence(p) : 0.0;
       Real gap = 0.0, room = 0.0;
       if (opens) {

@@ -4,6 +4,7 @@
 #include "core/contact_pass.hpp"
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
+#include "core/move_pass.hpp"
 #include "core/node_pass.hpp"
 #include "core/scatter_pass.hpp"
 #include "core/simulation.hpp"
@@ -78,14 +79,12 @@ template <int Dim, class Shape> struct Passes {
       gather_and_remap();
       remap_velocity_pass(state, walls, dt);
       update_stress();
-      for (std::size_t i = 0; i < Dim; ++i)
-        for (const std::size_t p : test::rows_of(state.particles))
-          state.particles.x[i][p] += state.particles.dx[i][p];
+      move_pass(state, dt, [](std::size_t) {});
     }
     state.order.update(state.particles);
   }
   void scatter() { scatter_pass<Dim, Terms::all>(state); }
-  void gather_and_remap() { benchmark::DoNotOptimize(gather_pass<Dim, true>(state, flip, dt)); }
+  void gather_and_remap() { benchmark::DoNotOptimize(gather_pass<Dim, true>(state, flip)); }
   void update_stress() { stress_pass<Dim>(state, 0, moduli, law, true, dt); }
 };
 

@@ -63,7 +63,6 @@ TEST(SpeedFlops, ScatterByHand) {
   const int of_cell = (2 + 2 + 2) * 2; // m, V0, m v, f with the next cell's: of 4 points
   EXPECT_EQ(cost.flops_of(Phase::scatter),
             place + functions + of_point + 4 * value + 2 * force + of_cell / 4);
-  EXPECT_EQ(cost.flops_of(Phase::move), 2);
   // (1 + 2 * 2) * 2 sums of tiles, 1 / m, fraction, v, gravity, forces, dv; 4 points a node
   EXPECT_EQ(cost.flops_of(Phase::nodes), (10 + 2 + 2 + 2 + 8 + 2) / 4.0);
 }

@@ -37,7 +37,7 @@ TEST(Phases, AreToldOnceAStepInOrder) {
   Record record;
   simulation->watch(&record);
   simulation->step(1.0);
-  const std::vector<Phase> of_step = {sort, scatter, nodes, gather, remap, stress, move};
+  const std::vector<Phase> of_step = {sort, scatter, nodes, gather, remap, stress};
   EXPECT_EQ(record.phases, of_step);
   simulation->step(1.0);
   EXPECT_EQ(record.phases.size(), 2 * of_step.size());
@@ -46,7 +46,7 @@ TEST(Phases, AreToldOnceAStepInOrder) {
   EXPECT_EQ(record.phases.size(), 2 * of_step.size());
 }
 
-TEST(Phases, OfAllSchemesEndWithTheMove) {
+TEST(Phases, OfAllSchemesEndWithTheMotion) {
   using enum Phase;
   for (const Scheme scheme : {Scheme::usf, Scheme::usl}) {
     const auto simulation = make_simulation(small_pile(scheme));
@@ -55,7 +55,7 @@ TEST(Phases, OfAllSchemesEndWithTheMove) {
     simulation->step(1.0);
     ASSERT_FALSE(record.phases.empty());
     EXPECT_EQ(record.phases.front(), sort);
-    EXPECT_EQ(record.phases.back(), move);
+    EXPECT_EQ(record.phases.back(), stress);
     EXPECT_EQ(std::ranges::count(record.phases, remap), 0);
     EXPECT_EQ(std::ranges::count(record.phases, scatter), scheme == Scheme::usf ? 2 : 1);
   }

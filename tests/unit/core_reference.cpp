@@ -5,6 +5,7 @@
 #include "core/lattice.hpp"
 #include "core/node_pass.hpp"
 #include "core/reference/gather_pass.hpp"
+#include "core/reference/move_pass.hpp"
 #include "core/reference/scatter_pass.hpp"
 #include "core/reference/stress_pass.hpp"
 #include "core/scatter_pass.hpp"
@@ -88,8 +89,8 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b, con
 }
 
 /// By id: rows differ where tiles have another number of cells.
-template <int Dim, class T>
-std::vector<double> by_id(const Particles<Dim, T>& points, const ColumnOf<T>& column) {
+template <int Dim, class T, class Number>
+std::vector<double> by_id(const Particles<Dim, T>& points, const ColumnOf<Number>& column) {
   const std::vector<std::size_t> rows = rows_of(points);
   std::vector<double> values(rows.size());
   for (const std::size_t p : rows) values.at(points.id[p]) = column[p];
@@ -121,7 +122,8 @@ void expect_same(const State<Dim, Shape>& a, const State<Dim, Plain>& b, bool wi
   };
   for (std::size_t i = 0; i < Dim; ++i) {
     same(a.particles.v[i], b.particles.v[i], "v");
-    same(a.particles.dx[i], b.particles.dx[i], "dx");
+    expect_same<T>(by_id(a.particles, a.particles.x[i]), by_id(b.particles, b.particles.x[i]), "x",
+                   1e-14);
   }
   for (std::size_t i = 0; a.particles.affine() && i < a.particles.C.size(); ++i)
     same(a.particles.C[i], b.particles.C[i], "C", 1e-12);
@@ -157,8 +159,8 @@ template <int Dim, class Shape, class Plain = Shape> void check_all_passes(bool 
       reference::scatter_pass<Dim, Terms::all>(*plain, own_force);
       expect_same(*fast, *plain, true);
     }
-    const Real a = gather_pass<Dim, true>(*fast, 0.9, 0.01);
-    const Real c = reference::gather_pass<Dim, true>(*plain, 0.9, 0.01);
+    const Real a = gather_pass<Dim, true>(*fast, 0.9);
+    const Real c = reference::gather_pass<Dim, true>(*plain, 0.9);
     EXPECT_NEAR(a, c, (std::is_same_v<Shape, Plain> ? 1e-13 : 1e-6));
     expect_same(*fast, *plain, true);
 
@@ -170,6 +172,13 @@ template <int Dim, class Shape, class Plain = Shape> void check_all_passes(bool 
       stress_pass<Dim>(*fast, material, moduli, update, material == 1, 0.01);
       reference::stress_pass<Dim>(*plain, material, moduli, update, material == 1, 0.01);
     }
+    expect_same(*fast, *plain, false);
+
+    fast->nodal.remapped = plain->nodal.remapped = true;
+    const LostPoints lost = move_pass(*fast, 0.01, [](std::size_t) {});
+    const LostPoints of_plain = reference::move_pass(*plain, 0.01);
+    EXPECT_EQ(lost.outside, of_plain.outside);
+    EXPECT_EQ(lost.turned_over, of_plain.turned_over);
     expect_same(*fast, *plain, false);
   }
 }

@@ -1,0 +1,86 @@
+// The points' motion, x_p += dt sum_I N_I v_I.
+//
+// Which velocity.  With MUSL the strain sees the remapped velocity v*; as published, points move
+// with the one before it, v.  The two differ by what the points do not keep: a node that hardly
+// carries mass has a velocity dt f/m afresh each step, and in v it moves the points beside it. Then
+// strain and place drift apart, and a film that lies at rest on a wall creeps, by dt g (x/h)^2 / 2,
+// against gravity.  With affine transfers points therefore move with v* (`moves_with_strain`): what
+// gravity does to points is then what it does to nodes, and for a steady v* = R (v* + dt f/m), with
+// the transfers there and back as a symmetric R between 0 and 1, the power f . v* of what is not in
+// balance is never negative, so nothing at rest gains energy.
+#pragma once
+
+#include "core/rank_weights.hpp"
+#include "core/state.hpp"
+
+#include <algorithm>
+
+namespace scarp {
+
+/// Points with which a run can not go on, the lowest ids; or no_point.
+struct LostPoints {
+  std::uint32_t outside = no_point;     ///< of the grid, or no number; is where it was
+  std::uint32_t turned_over = no_point; ///< has a volume that is not positive
+};
+
+/// The nodal velocity that points move with.
+template <int Dim, class Shape> const auto& moving_velocity(const State<Dim, Shape>& state) {
+  return state.nodal.remapped && !state.moves_with_strain ? state.nodal.nodes.f
+                                                          : state.nodal.nodes.v;
+}
+
+/// The points of one tile, except those that would leave the grid.
+template <int Dim, class Shape>
+[[gnu::hot]] LostPoints move_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Real dt) {
+  using T = typename Shape::Number;
+  using Lanes = TileLanes<Dim, Shape>;
+  using Places = typename Lanes::Places;
+  Particles<Dim, T>& points = state.particles;
+  const auto& velocity = moving_velocity(state);
+  const Lanes tile(state, number_of_tile);
+  LostPoints lost;
+  const auto note = [&](const auto& which, std::size_t row, std::uint32_t& lowest) {
+    for (std::size_t lane = 0; lane < tile_cells<T>; ++lane)
+      if (which[lane]) lowest = std::min(lowest, points.id[row + lane]);
+  };
+  for (const auto rank : tile.ranks()) {
+    const auto w = Shape::along(tile.local_position(rank), tile.stencil()).w;
+    std::array<Places, Dim> x;
+    auto inside = Places(0.0) == 0.0;
+    unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
+      const Pack<T> dx = number<T>(dt) * interpolate(w, tile.at_nodes(velocity[i]));
+      x[i] = tile.position(rank, i) + std::experimental::static_simd_cast<Places>(dx);
+      const Places xi = state.grid.scaled(x[i], i);
+      inside = inside && xi >= 0.0 && xi < static_cast<Real>(state.grid.cells[i]);
+    });
+    const auto goes = inside && tile.filled_places(rank);
+    unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
+      Places all = tile.position(rank, i);
+      where(goes, all) = x[i];
+      all.copy_to(&points.x[i][rank.row], std::experimental::element_aligned);
+    });
+    if (const auto stays = tile.filled_places(rank) && !inside; any_of(stays))
+      note(stays, rank.row, lost.outside);
+    if (const auto bad = !(load_lanes(&points.J[rank.row]) > 0.0F); any_of(bad))
+      note(bad, rank.row, lost.turned_over);
+  }
+  return lost;
+}
+
+/// All tiles', after update(tile), which may do whatever else a tile needs first.
+template <int Dim, class Shape, class Update>
+LostPoints move_pass(State<Dim, Shape>& state, Real dt, Update&& update) {
+  std::uint32_t outside = no_point, turned_over = no_point;
+  const auto tiles = static_cast<std::int64_t>(state.order.tiles().size());
+#pragma omp parallel for schedule(static) reduction(min : outside, turned_over)
+  for (std::int64_t k = 0; k < tiles; ++k) {
+    const auto tile = static_cast<std::size_t>(k);
+    update(tile);
+    const LostPoints lost = move_tile(state, tile, dt);
+    outside = std::min(outside, lost.outside);
+    turned_over = std::min(turned_over, lost.turned_over);
+  }
+  return {outside, turned_over};
+}
+
+} // namespace scarp
