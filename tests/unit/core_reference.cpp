@@ -1,15 +1,10 @@
 // The passes against those of core/reference, which take a point and a node at a time: the same to
 // rounding, for any number of points in a cell, rows out of order, several materials, and options.
-#include "core/gather_pass.hpp"
-#include "core/gimp_shape.hpp"
+#include "core/compiled_passes.hpp"
 #include "core/lattice.hpp"
-#include "core/node_pass.hpp"
 #include "core/reference/gather_pass.hpp"
 #include "core/reference/scatter_pass.hpp"
 #include "core/reference/stress_pass.hpp"
-#include "core/scatter_pass.hpp"
-#include "core/spline_shape.hpp"
-#include "core/stress_pass.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 

@@ -1,12 +1,7 @@
 // Points to nodes and back, at random points with random state, for all shape functions.  Nodes are
 // found and weighted here by the textbook's functions, not by the code's own.
-#include "core/gather_pass.hpp"
-#include "core/gimp_shape.hpp"
+#include "core/compiled_passes.hpp"
 #include "core/lattice.hpp"
-#include "core/node_pass.hpp"
-#include "core/scatter_pass.hpp"
-#include "core/spline_shape.hpp"
-#include "core/stress_pass.hpp"
 #include "tests/support/nodes.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
