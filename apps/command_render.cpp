@@ -13,6 +13,7 @@
 #include <charconv>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 namespace scarp::apps {
 
@@ -73,11 +74,13 @@ struct RenderArguments {
   std::filesystem::path part; ///< of a process that another one started; its words are this one's
 };
 
-void require_column(const io::Frame& frame, const std::string& name) {
+void require_field(const io::Frame& frame, const render::Field& field) {
   try {
-    frame.column(name);
+    render::require_component(frame.column(field.name), field.component);
   } catch (const std::runtime_error& error) {
     throw UsageError(std::string("--field: ") + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--component: ") + error.what());
   }
 }
 
@@ -89,7 +92,7 @@ RenderPart whole_series(const io::SeriesReader& series, std::vector<std::size_t>
   std::optional<render::Box> view;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const io::Frame frame = series.read(i);
-    require_column(frame, style.field.name);
+    require_field(frame, style.field);
     const render::ValueSpread here = render::value_spread(frame, style.field);
     spread = spread ? render::united(*spread, here) : here;
     view = view ? render::united(*view, render::body_view(frame)) : render::body_view(frame);
@@ -172,7 +175,8 @@ void add_render(CLI::App& program) {
                    "Column to draw; of a vector its magnitude unless --component is given")
       ->capture_default_str();
   command->add_option("--component", options->style.field.component,
-                      "Component of a vector (x y z) or tensor (xx yy zz xy yz xz), from 0");
+                      "Component, from 0, of a vector (x y z), a tensor (xx yy zz xy yz xz) or a "
+                      "gradient (xx xy xz yx yy yz zx zy zz)");
   command->add_option("--frames", options->frames, "all, last, or a list such as 0,3,7-9")
       ->capture_default_str();
   command->add_option("--out", options->out,

@@ -6,15 +6,16 @@
 //
 // Exit codes: 0 done; 1 the run failed; 2 the command line or the scene is wrong.
 #include "apps/commands.hpp"
-
 #include "apps/usage.hpp"
-
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "io/scene_file.hpp"
+#include "io/text.hpp"
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include <unistd.h>
 
@@ -34,6 +35,28 @@ int report(const char* kind, const std::exception& error, int code) {
   return code;
 }
 
+/// What is wrong with the command line, and where more is said.
+std::string mistake(const CLI::App* program, const CLI::Error& error) {
+  const CLI::App* command = program;
+  std::string call = program->get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    call += " " + command->get_name();
+  }
+  std::string what = error.what();
+  if (command->get_require_subcommand_min() > 0) { // CLI11 would say only that there is none
+    std::vector<std::string> names;
+    for (const CLI::App* each : command->get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(each->get_name());
+    const std::vector<std::string> given = program->remaining(true);
+    const std::string hint = given.empty() ? "" : scarp::io::did_you_mean(given.front(), names);
+    what = (given.empty() ? "a command is missing" : "'" + given.front() + "' is unknown") +
+           "; must be " + scarp::io::quoted_list(names, "or") +
+           (hint.empty() ? "" : " (" + hint + ")");
+  }
+  return "scarp: " + what + "; " + call + " --help says more\n";
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -43,6 +66,7 @@ int main(int argc, char** argv) {
     program.name("scarp");
     program.set_version_flag("--version", std::string("scarp ") + scarp::version);
     program.require_subcommand(1);
+    program.failure_message(mistake);
     program.footer(
         "Examples:\n"
         "  scarp run data/scenes/bui2008.toml --out out/pile\n"

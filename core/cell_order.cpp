@@ -157,7 +157,7 @@ template <int Dim, int width, std::size_t tile_cells>
 std::uint32_t CellOrder<Dim, width, tile_cells>::take_rank() {
   if (idle_.empty()) { // several more at once, the lowest one first
     const std::size_t before = next_.size(), after = before + before / 64 + 1;
-    next_.resize(after, none);
+    grow(next_, after, none);
     for (std::size_t k = after; k-- > before;)
       idle_.push_back(static_cast<std::uint32_t>(k * tile_cells));
   }

@@ -35,6 +35,13 @@ template <class T> struct LineAllocator {
 /// A number for every row of points, or for every node.
 template <class T> using ColumnOf = std::vector<T, LineAllocator<T>>;
 
+/// Resizes, with some room for more if it has to move; vectors alone would take twice the memory.
+template <class Vector>
+void grow(Vector& vector, std::size_t size, const typename Vector::value_type& value = {}) {
+  if (size > vector.capacity()) vector.reserve(size + size / 32);
+  vector.resize(size, value);
+}
+
 /// Bytes that the vectors have taken, used or not.
 template <class... Vectors> std::size_t bytes_of(const Vectors&... vectors) {
   return (std::size_t{0} + ... + (vectors.capacity() * sizeof(typename Vectors::value_type)));

@@ -25,7 +25,7 @@ struct LostPoints {
 
 /// The nodal velocity that points move with.
 template <int Dim, class Shape> const auto& moving_velocity(const State<Dim, Shape>& state) {
-  return state.nodal.remapped && !state.moves_with_strain ? state.nodal.nodes.f
+  return state.nodal.remapped && !state.moves_with_strain ? state.nodal.nodes.dv
                                                           : state.nodal.nodes.v;
 }
 

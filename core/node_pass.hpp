@@ -82,7 +82,11 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
     store_lanes(m, &nodes.inv_m[first], run.count);
     if (state.nodal.tracks_fraction) {
       const Pack<T> V0 = add_up<Dim, Shape>(run, state.nodal.sums.V0);
-      const Pack<T> volume = load_lanes(&state.nodal.volume[first]);
+      const auto& widths = state.nodal.widths;
+      Pack<T> volume =
+          load_lanes(&widths[0][static_cast<std::size_t>(state.grid.node_along(run.node, 0))]);
+      for (std::size_t a = 1; a < Dim; ++a)
+        volume *= widths[a][static_cast<std::size_t>(state.grid.node_along(run.node, a))];
       Pack<T> fraction = V0 / volume;
       where(!(volume > 0.0F && V0 > 0.0F), fraction) = 1.0F; // beyond the grid; such are full
       store_lanes(fraction, &nodes.fraction[first], run.count);
@@ -123,25 +127,26 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
   state.nodal.damped.assign(state.order.node_runs().size(), 0.0);
   for (auto& drag : nodes.drag)
     drag.resize(damping > 0.0 && state.moves_with_strain ? nodes.m.size() : 0);
-  const auto add_up_forces = [&](const auto& run) {
-    const auto first = static_cast<std::size_t>(run.node);
-    const Pack<T> m = load_lanes(&nodes.m[first]);
+  const auto force = [&](const auto& run) {
+    const Pack<T> m = load_lanes(&nodes.m[static_cast<std::size_t>(run.node)]);
+    std::array<Pack<T>, Dim> f;
     for (std::size_t i = 0; i < Dim; ++i)
-      store_lanes(add_up<Dim, Shape>(run, state.nodal.sums.f[i]) + m * number<T>(gravity[i]),
-                  &nodes.f[i][first], run.count);
+      f[i] = add_up<Dim, Shape>(run, state.nodal.sums.f[i]) + m * number<T>(gravity[i]);
+    return f;
   };
-  const auto advance = [&](const auto& run, std::size_t number_of_run) {
+  const auto advance = [&](const auto& run, std::size_t number_of_run,
+                           const std::array<Pack<T>, Dim>& f) {
     const auto first = static_cast<std::size_t>(run.node);
     const Pack<T> inv_m = load_lanes(&nodes.inv_m[first]);
     std::array<Pack<T>, Dim> before, drag;
     for (std::size_t i = 0; i < Dim; ++i) {
-      const Pack<T> f = load_lanes(&nodes.f[i][first]);
       before[i] = load_lanes(&nodes.v[i][first]);
       drag[i] = 0.0F;
       if (damping > 0.0)
         where(before[i] != 0.0F, drag[i]) =
-            number<T>(-damping) * std::experimental::copysign(f, before[i]);
-      store_lanes(before[i] + number<T>(dt) * inv_m * (f + drag[i]), &nodes.v[i][first], run.count);
+            number<T>(-damping) * std::experimental::copysign(f[i], before[i]);
+      store_lanes(before[i] + number<T>(dt) * inv_m * (f[i] + drag[i]), &nodes.v[i][first],
+                  run.count);
     }
     constrain(nodes, walls, run);
     for (std::size_t i = 0; i < Dim; ++i) {
@@ -159,17 +164,34 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       }
     }
   };
-  sweep_nodes(
-      state, walls, add_up_forces, [&] { add_images(state, walls, nodes.f); }, advance);
+  if (walls.mirrors().empty()) {
+    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
+      advance(run, number_of_run, force(run));
+    });
+  } else {
+    for (auto& f : nodes.f) f.resize(nodes.m.size());
+    for_each_node_run(state, [&](const auto& run, std::size_t) {
+      const std::array<Pack<T>, Dim> f = force(run);
+      for (std::size_t i = 0; i < Dim; ++i)
+        store_lanes(f[i], &nodes.f[i][static_cast<std::size_t>(run.node)], run.count);
+    });
+    add_images(state, walls, nodes.f);
+    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
+      std::array<Pack<T>, Dim> f;
+      for (std::size_t i = 0; i < Dim; ++i)
+        f[i] = load_lanes(&nodes.f[i][static_cast<std::size_t>(run.node)]);
+      advance(run, number_of_run, f);
+    });
+  }
   state.nodal.rubbed = resist_pass(state, walls);
 }
 
 /// MUSL: v_I from the points' updated momenta; masses and weights are those of the first mapping.
-/// The velocities before it are in f then.
+/// The velocities before it are in dv then.
 template <int Dim, class Shape>
 void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls, Real dt) {
   state.nodal.remapped = true;
-  std::swap(state.nodal.nodes.v, state.nodal.nodes.f);
+  std::swap(state.nodal.nodes.v, state.nodal.nodes.dv);
   sweep_nodes(
       state, walls, [&](const auto& run) { add_up_momenta(state, run); },
       [&] { add_images(state, walls, state.nodal.nodes.v); },

@@ -35,7 +35,7 @@ template <int Dim, class Shape> struct TileSums {
   void resize(const Order& order, bool with_volume) {
     const auto resize_lines = [&order](Lines& all) {
       for (auto& line : all) {
-        line.resize(order.entries());
+        grow(line, order.entries());
         std::fill(line.end() - Order::tile_entries, line.end(), T(0));
       }
     };
@@ -68,10 +68,10 @@ template <int Dim, class T = Real> struct Nodes {
   Column m; ///< kg
   /// 1/kg, of what moves together: the node and its images (core/walls.hpp); 0 without mass.
   Column inv_m;
-  /// N, with gravity; with MUSL from the remapping on, which needs no forces, m/s: v before it
-  std::array<Column, Dim> f;
-  std::array<Column, Dim> v;  ///< m/s, after the latest constraint
-  std::array<Column, Dim> dv; ///< m/s, change by the forces of this step
+  std::array<Column, Dim> f; ///< N, with gravity; empty where no sides exchange them
+  std::array<Column, Dim> v; ///< m/s, after the latest constraint
+  /// m/s, change by the forces of this step; with MUSL from the remapping on: v before it
+  std::array<Column, Dim> dv;
   /// N, of local damping in this step; empty without it, and if no one asks (core/node_pass.hpp)
   std::array<Column, Dim> drag;
   Column fraction; ///< -, see GridState::tracks_fraction
@@ -93,12 +93,13 @@ template <int Dim, class Shape> struct GridState {
 
   /// Whether nodes keep the part of their volume that the unloaded material of the points fills.
   bool tracks_fraction;
-  ColumnOf<typename Shape::Number>
-      volume; ///< m3, by node: what belongs to it of the cells around it
+  /// m, by axis and node along it; a node's volume, what belongs to it of the cells around it, is
+  /// their product.
+  std::array<ColumnOf<typename Shape::Number>, Dim> widths;
 
   /// Bytes.
   std::size_t memory() const {
-    std::size_t bytes = bytes_of(nodes.m, nodes.inv_m, nodes.fraction, damped, volume);
+    std::size_t bytes = bytes_of(nodes.m, nodes.inv_m, nodes.fraction, damped);
     for (const auto* columns : {&nodes.f, &nodes.v, &nodes.dv, &nodes.drag})
       for (const auto& column : *columns) bytes += bytes_of(column);
     const auto add_lines = [&bytes](const auto& lines) {
@@ -120,21 +121,17 @@ template <int Dim, class Shape> struct GridState {
     nodes.m.resize(n);
     nodes.inv_m.resize(n);
     for (std::size_t i = 0; i < Dim; ++i) {
-      nodes.f[i].resize(n);
       nodes.v[i].resize(n);
       nodes.dv[i].resize(n);
     }
     if (!tracks_fraction) return;
     nodes.fraction.resize(n);
-    volume.assign(n, 0.0);
-    for (int index = 0; index < grid.cell_count; ++index) {
-      for (std::size_t c = 0; c < Shape::nodes; ++c) {
-        const auto k = Shape::places(c);
-        Real share = std::pow(grid.h, Dim);
-        for (std::size_t a = 0; a < Dim; ++a) share *= Shape::shares[k[a]];
-        volume[static_cast<std::size_t>(grid.first_node(index) + grid.corner_offset[c])] +=
-            static_cast<typename Shape::Number>(share);
-      }
+    for (std::size_t a = 0; a < Dim; ++a) {
+      const auto along = static_cast<std::size_t>(grid.nodes[a]);
+      widths[a].assign(along + tile_cells<typename Shape::Number>, 0.0);
+      for (std::size_t cell = 0; cell + Shape::width <= along; ++cell)
+        for (std::size_t k = 0; k < Shape::width; ++k)
+          widths[a][cell + k] += static_cast<typename Shape::Number>(grid.h * Shape::shares[k]);
     }
   }
 };

@@ -72,10 +72,7 @@ template <int Dim, class T = Real> struct Particles {
 
   /// Adds empty rows.
   void resize(std::size_t rows) {
-    for_each_column([&](auto& column) {
-      if (rows > column.capacity()) column.reserve(rows + rows / 8);
-      column.resize(rows, of_empty_row(column));
-    });
+    for_each_column([&](auto& column) { grow(column, rows, of_empty_row(column)); });
   }
 
   /// Row p becomes row to[p], if that is a row; all others are empty.

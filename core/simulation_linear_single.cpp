@@ -1,8 +1,11 @@
-#include "core/linear_shape.hpp"
+#include "core/compiled_passes.hpp"
 #include "core/simulation_factories.hpp"
 #include "core/simulation_of.hpp"
 
 namespace scarp {
+
+SCARP_PASSES(template, 2, LinearShape, float);
+SCARP_PASSES(template, 3, LinearShape, float);
 
 std::unique_ptr<Simulation> make_single_linear_simulation(const Scene& scene,
                                                           const Snapshot* start) {

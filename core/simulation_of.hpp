@@ -7,6 +7,7 @@
 #include "core/body_force_pass.hpp"
 #include "core/contact_pass.hpp"
 #include "core/fields.hpp"
+#include "core/first_places.hpp"
 #include "core/gather_pass.hpp"
 #include "core/lattice.hpp"
 #include "core/loads.hpp"
@@ -65,9 +66,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   SimulationOf(const Scene& scene, const Snapshot* start)
       : scene_(scene), stages_(stages_of(scene)),
         state_(scene.grid, Particles<Dim, Number>(fill_regions<Dim>(scene)), remembers_gaps(scene)),
-        walls_(scene, state_.grid), loads_(scene) {
+        first_places_(scene.grid, state_.particles.x), walls_(scene, state_.grid), loads_(scene) {
     for (const Material& material : scene.materials) materials_.emplace_back(material);
-    for (std::size_t i = 0; i < Dim; ++i) start_[i] = state_.particles.x[i];
     state_.averages_volume = scene.method.volume_rate == VolumeRate::cell_average;
     if (scene.method.transfer != VelocityTransfer::flip) {
       for (auto& column : state_.particles.C) column.assign(points(), Number(0));
@@ -151,13 +151,11 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   int dimension() const override { return Dim; }
   double time() const override { return time_; }
   long steps() const override { return steps_; }
-  std::size_t points() const override { return start_[0].size(); }
+  std::size_t points() const override { return first_places_.points(); }
   std::size_t cells() const override { return static_cast<std::size_t>(state_.grid.cell_count); }
   std::size_t occupied_cells() const override { return state_.order.cells().size(); }
   std::size_t memory() const override {
-    std::size_t start = 0;
-    for (const Column& x : start_) start += bytes_of(x);
-    return state_.memory() + walls_.memory() + start;
+    return state_.memory() + first_places_.memory() + walls_.memory();
   }
 
   bool waits_for_gate() const override { return std::isfinite(walls_.next_opening(time_)); }
@@ -206,9 +204,10 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     Real least = std::numeric_limits<Real>::infinity();
     for (std::size_t p = 0; p < points(); ++p) {
       Real distance2 = 0.0;
+      const Vec<Dim> first = first_places_.of(p);
       for (int a = 0; a < Dim; ++a) {
         const std::size_t i = scene_axis<Dim>(a);
-        const Real d = start_[static_cast<std::size_t>(a)][p] - place[i];
+        const Real d = first[static_cast<std::size_t>(a)] - place[i];
         distance2 += d * d;
       }
       if (distance2 < least) {
@@ -339,13 +338,13 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   Scene scene_;
   std::vector<Stage> stages_;
   State<Dim, Shape> state_;
+  FirstPlaces<Dim> first_places_;
   Walls<Dim> walls_;
   Loads<Dim> loads_;
   std::vector<MaterialModel> materials_;
   std::vector<std::uint8_t> material_of_region_; ///< in the present stage
   std::size_t stage_ = 0;
-  double stage_start_ = 0.0;      ///< s
-  std::array<Column, Dim> start_; ///< m, positions before the first step, in the order of creation
+  double stage_start_ = 0.0;               ///< s
   std::optional<Equilibrium> equilibrium_; ///< that the run began with
   Energies first_energies_;
   Real fastest_ = 0.0;         ///< m/s, largest speed of a point
@@ -367,10 +366,11 @@ template <int Dim, class Shape> void SimulationOf<Dim, Shape>::take_over(const S
   const double tolerance = 1e-6 * state_.grid.h;
   for (std::size_t p = 0; p < n; ++p) {
     bool same = std::abs(start.initial_volume[p] - points.V0[p]) <= 1e-6 * points.V0[p];
+    const Vec<Dim> first = first_places_.of(p);
     for (int a = 0; a < Dim; ++a) {
       const std::size_t i = 3 * p + scene_axis<Dim>(a);
       same = same && std::abs(start.position[i] - start.displacement[i] -
-                              start_[static_cast<std::size_t>(a)][p]) <= tolerance;
+                              first[static_cast<std::size_t>(a)]) <= tolerance;
     }
     if (!same)
       throw SetupError("point " + std::to_string(p) +

@@ -64,9 +64,11 @@ std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) con
   };
   if (name == "displacement") {
     values = positions();
-    for (int a = 0; a < Dim; ++a)
-      for (std::size_t p = 0; p < this->points(); ++p)
-        values[3 * p + scene_axis<Dim>(a)] -= start_[static_cast<std::size_t>(a)][p];
+    for (std::size_t p = 0; p < this->points(); ++p) {
+      const Vec<Dim> first = first_places_.of(p);
+      for (int a = 0; a < Dim; ++a)
+        values[3 * p + scene_axis<Dim>(a)] -= first[static_cast<std::size_t>(a)];
+    }
   } else if (name == "velocity") {
     points.for_each([&](std::size_t p) {
       for (int a = 0; a < Dim; ++a)

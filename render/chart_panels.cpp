@@ -118,15 +118,22 @@ Layout layout_with_legends(Panels& panels) {
   }
 }
 
-/// Takes the entries out of the charts' legends, each label once.
+/// Takes the entries out of the charts' legends, each label once, and the notes if all have the
+/// same.
 Legend shared_legend(std::vector<Legend>& legends, double width, double font) {
   Legend shared;
+  shared.below = true;
   for (Legend& legend : legends) {
     for (const LegendEntry& entry : legend.entries)
       if (std::none_of(shared.entries.begin(), shared.entries.end(),
                        [&](const LegendEntry& known) { return known.label == entry.label; }))
         shared.entries.push_back(entry);
     legend.entries.clear();
+  }
+  if (std::ranges::all_of(
+          legends, [&](const Legend& legend) { return legend.notes == legends.front().notes; })) {
+    shared.notes = legends.front().notes;
+    for (Legend& legend : legends) legend.notes.clear();
   }
   spread(shared, width - 2.0 * chart_edge * font, font);
   return shared;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 
 namespace scarp::render {
@@ -75,17 +76,43 @@ constexpr std::array<const char*, 9> gradient_components = {"xx", "xy", "xz", "y
 constexpr std::array<const char*, 6> plane_components = {
     "horizontal {}", "out-of-plane {}", "vertical {}", "{} xy", "{} yz", "shear {}"};
 
+/// Empty if columns of so many components have no names for them.
+std::span<const char* const> component_names(int components) {
+  switch (components) {
+  case 3:
+    return vector_components;
+  case 6:
+    return tensor_components;
+  case 9:
+    return gradient_components;
+  default:
+    return {};
+  }
+}
+
 } // namespace
+
+void require_component(const io::Column& column, int component) {
+  const bool has_magnitude = column.components <= 3;
+  if (component < column.components && component >= (has_magnitude ? -1 : 0)) return;
+  const std::span<const char* const> names = component_names(column.components);
+  std::vector<std::string> known;
+  known.reserve(static_cast<std::size_t>(column.components) + 1);
+  for (int c = 0; c < column.components; ++c)
+    known.push_back(names.empty() ? fmt::format("{}", c)
+                                  : fmt::format("{} ({})", c, names[static_cast<std::size_t>(c)]));
+  if (has_magnitude) known.emplace_back(column.components == 1 ? "-1" : "-1 (magnitude)");
+  const std::string last = known.back();
+  known.pop_back();
+  throw std::invalid_argument(
+      fmt::format("{} has no {}; must be {} or {}", column.name,
+                  component == -1 ? "magnitude" : fmt::format("component {}", component),
+                  fmt::join(known, ", "), last));
+}
 
 std::vector<double> field_values(const io::Frame& frame, const Field& field) {
   const io::Column& column = frame.column(field.name);
-  if (field.component >= column.components)
-    throw std::invalid_argument(fmt::format("{} has {} components, there is no component {}",
-                                            field.name, column.components, field.component));
-  if (field.component < 0 && column.components > 3)
-    throw std::invalid_argument(
-        fmt::format("{} is a tensor: choose one of its components 0 to {} (xx yy zz xy yz xz)",
-                    field.name, column.components - 1));
+  require_component(column, field.component);
   const double unit = unit_size(field);
   const auto components = static_cast<std::size_t>(column.components);
   std::vector<double> values(frame.size());

@@ -9,8 +9,8 @@
 
 namespace scarp::render {
 
-/// A scalar of the points.  Component -1: the scalar itself or a vector's magnitude; 0...2 or
-/// 0...5: one component of a vector or tensor.
+/// A scalar of the points.  Component -1: the scalar itself or a vector's magnitude; 0...2, 0...5
+/// or 0...8: one component of a vector, a symmetric tensor or a gradient.
 struct Field {
   std::string name = "equivalent_plastic_strain";
   int component = -1;
@@ -19,6 +19,9 @@ struct Field {
 
   bool operator==(const Field&) const = default;
 };
+
+/// Throws std::invalid_argument that lists those there are if the column has no such component.
+void require_component(const io::Column& column, int component);
 
 /// One value a point, in the field's unit.  Throws std::runtime_error if there is no such column,
 /// std::invalid_argument if there is no such component or unit or a tensor is asked for its

@@ -34,9 +34,14 @@ double column_width(const Legend& legend, double font_size) {
   return widest + (sample_length + 2.0 * word_gap + apart) * font_size;
 }
 
-double entry_rows(const Legend& legend) {
-  return std::ceil(static_cast<double>(legend.entries.size()) /
-                   static_cast<double>(legend.columns));
+std::size_t entry_rows(const Legend& legend) {
+  return (legend.entries.size() + legend.columns - 1) / legend.columns;
+}
+
+/// Between what stands above the notes and them: in a corner of a plot there is no room to spare.
+double notes_gap(const Legend& legend, double font_size) {
+  const bool first = legend.entries.empty() && !legend.key;
+  return legend.below && !first && !legend.notes.empty() ? group_gap * font_size : 0.0;
 }
 
 double widest_label(const ColourKey& key, double font_size) {
@@ -148,11 +153,12 @@ Point legend_size(const Legend& legend, double font_size) {
   Point size;
   if (!legend.entries.empty())
     size = {column_width(legend, font_size) * static_cast<double>(legend.columns),
-            entry_rows(legend) * line_height * font_size};
+            static_cast<double>(entry_rows(legend)) * line_height * font_size};
   if (legend.key) {
     const Point key = key_size(*legend.key, legend.below, font_size);
     size = {std::max(size.x, key.x), size.y + key.y + (size.y > 0.0 ? group_gap * font_size : 0.0)};
   }
+  size.y += notes_gap(legend, font_size);
   for (const std::string& note : legend.notes) {
     size.x = std::max(size.x, text_width(note, font_size));
     size.y += line_height * font_size;
@@ -164,7 +170,7 @@ void spread(Legend& legend, double width, double font_size) {
   const std::size_t entries = legend.entries.size();
   legend.columns = std::max<std::size_t>(entries, 1);
   while (legend.columns > 1 && legend_size(legend, font_size).x > width) --legend.columns;
-  const std::size_t rows = (entries + legend.columns - 1) / legend.columns;
+  const std::size_t rows = entry_rows(legend);
   if (rows > 0) legend.columns = (entries + rows - 1) / rows; // rows of equal length
 }
 
@@ -187,17 +193,17 @@ std::optional<Box> free_corner(const Obstacles& obstacles, const Box& area, Poin
 }
 
 void draw_legend(Drawing& drawing, const Legend& legend, const Box& box, double font_size) {
-  const double column = column_width(legend, font_size);
-  double y = box.upper.y;
+  const double width = column_width(legend, font_size);
+  const std::size_t rows = entry_rows(legend);
   for (std::size_t i = 0; i < legend.entries.size(); ++i) {
-    const std::size_t place = i % legend.columns;
-    if (i > 0 && place == 0) y -= line_height * font_size;
-    draw_entry(
-        drawing, legend.entries[i],
-        {box.lower.x + static_cast<double>(place) * column, y - 0.5 * line_height * font_size},
-        font_size);
+    const std::size_t column = i / rows;
+    const std::size_t row = i % rows;
+    draw_entry(drawing, legend.entries[i],
+               {box.lower.x + static_cast<double>(column) * width,
+                box.upper.y - (static_cast<double>(row) + 0.5) * line_height * font_size},
+               font_size);
   }
-  if (!legend.entries.empty()) y -= line_height * font_size;
+  double y = box.upper.y - static_cast<double>(rows) * line_height * font_size;
   if (legend.key) {
     if (!legend.entries.empty()) y -= group_gap * font_size;
     const double bottom = y - key_size(*legend.key, legend.below, font_size).y;
@@ -205,6 +211,7 @@ void draw_legend(Drawing& drawing, const Legend& legend, const Box& box, double 
              font_size);
     y = bottom;
   }
+  y -= notes_gap(legend, font_size);
   Words words;
   words.size = font_size;
   words.vertical = Vertical::middle;

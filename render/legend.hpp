@@ -27,13 +27,13 @@ struct ColourKey {
   std::vector<Colour> colours;
 };
 
-/// From top to bottom: the entries, row by row in `columns`, the key, the notes.
+/// From top to bottom: the entries, column by column in `columns`, the key, the notes.
 struct Legend {
   std::vector<LegendEntry> entries = {};
   std::optional<ColourKey> key = {};
   std::vector<std::string> notes = {};
   std::size_t columns = 1;
-  bool below = false; ///< below a plot there is room across: the key lies
+  bool below = false; ///< below a plot there is room: the key lies, the notes stand apart
 
   bool empty() const { return entries.empty() && !key && notes.empty(); }
 };

@@ -107,7 +107,7 @@ render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
   chart.style = {.x_name = "points",
                  .y_name = "points × steps a second",
                  .y_unit = "10⁶/s",
-                 .notes = {"1 thread: by processor time", "several: shortest repetition"},
+                 .notes = {"1 thread: by processor time; several: shortest repetition"},
                  .title = dimension == 2 ? "plane strain" : "3-D"};
   std::vector<std::string> methods;
   for (const SpeedRow& row : rows) {

@@ -37,11 +37,13 @@ TEST_F(CommandLine, WithoutACommandOrWithAnUnknownOptionIsAMistakeOfTheUser) {
   for (const std::vector<std::string>& words : mistakes) {
     const Result result = scarp(words);
     SCOPED_TRACE(testing::PrintToString(words));
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err, "");
+    expect_complaint(result, 2, {"--help says more"});
     EXPECT_EQ(result.out, "");
     EXPECT_FALSE(fs::exists(*this / "out"));
   }
+  expect_complaint(scarp({"rnu"}), 2, {"'rnu' is unknown", "'render'", "did you mean 'run'?"});
+  expect_complaint(scarp({"reproduce"}), 2, {"a command is missing", "'bui2008'"});
+  expect_complaint(scarp({"run"}), 2, {"scene is required", "scarp run --help"});
 }
 
 TEST_F(CommandLine, EveryProblemOfASceneIsALineAndNothingIsWritten) {

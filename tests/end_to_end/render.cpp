@@ -124,6 +124,22 @@ TEST_F(Render, NamesTheFieldsThereAreWhenAskedForAnother) {
   EXPECT_FALSE(fs::exists(*this / "pictures") && !fs::is_empty(*this / "pictures"));
 }
 
+TEST_F(Render, NamesTheComponentsThereAreWhenAskedForAnother) {
+  const std::string tensor = "must be 0 (xx), 1 (yy), 2 (zz), 3 (xy), 4 (yz) or 5 (xz)";
+  const std::string vector = "must be 0 (x), 1 (y), 2 (z) or -1 (magnitude)";
+  expect_complaint(render({"--field", "stress", "--component", "7"}), 2,
+                   {"--component: stress has no component 7; " + tensor});
+  expect_complaint(render({"--field", "stress"}), 2,
+                   {"--component: stress has no magnitude; " + tensor});
+  expect_complaint(render({"--field", "velocity", "--component", "3"}), 2,
+                   {"--component: velocity has no component 3; " + vector});
+  expect_complaint(render({"--field", "velocity", "--component", "-2"}), 2,
+                   {"--component: velocity has no component -2; " + vector});
+  expect_complaint(render({"--component", "7"}), 2,
+                   {"--component: equivalent_plastic_strain has no component 7; must be 0 or -1"});
+  EXPECT_FALSE(fs::exists(*this / "pictures"));
+}
+
 TEST_F(Render, RefusesFramesThatAreNone) {
   for (const char* frames : {"6", "0,6", "4-6", "first", "0,,1", "0-", "-1", "1.5", "0 1", ""})
     expect_complaint(render({"--frames", frames}), 2, {std::string("--frames ") + frames + ":"});

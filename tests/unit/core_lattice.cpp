@@ -1,4 +1,5 @@
 #include "core/error.hpp"
+#include "core/first_places.hpp"
 #include "core/lattice.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -282,4 +283,22 @@ TEST(FillRegions, UnknownMaterialIsNamed) {
   });
   EXPECT_NE(message.find("'basalt'"), std::string::npos) << message;
   EXPECT_NE(message.find("'b'"), std::string::npos) << message;
+}
+
+/// Whole and cut squares, plane strain and 3-D: to the bit, and 4 bytes for each whole one.
+TEST(FirstPlaces, AreThoseOfTheLattice) {
+  const auto check = [](const auto& points, const Grid& grid, std::size_t cut) {
+    constexpr auto dim = static_cast<int>(std::tuple_size_v<decltype(points.position(0))>);
+    const FirstPlaces<dim> first(grid, points.x);
+    ASSERT_EQ(first.points(), points.rows());
+    for (std::size_t p = 0; p < points.rows(); ++p) EXPECT_EQ(first.of(p), points.position(p));
+    EXPECT_LE(first.memory(), 4 * points.rows() + 2 * cut * (4 + 8 * dim));
+  };
+  const Polygon triangle = {{1, 1}, {2, 1}, {1, 2}};
+  Scene scene = scene_of({box("b", "rock", {0, 0}, {1, 1}), box("c", "ice", {-1, 0.1}, {-0.2, 1}),
+                          polygon_region("t", "ice", triangle)});
+  check(fill_regions<2>(scene), scene.grid, 10);
+  scene.grid = grid_3d(0.5, {-1.0, 0.0, -1.0}, {3.0, 1.0, 3.0});
+  for (Region& region : scene.regions) region.depth = {0.1, 0.75};
+  check(fill_regions<3>(scene), scene.grid, 64);
 }

@@ -1,16 +1,12 @@
 // The passes against those of core/reference, which take a point and a node at a time: the same to
 // rounding, for any number of points in a cell, rows out of order, several materials, and options.
-#include "core/gather_pass.hpp"
-#include "core/gimp_shape.hpp"
+#include "core/compiled_passes.hpp"
 #include "core/lattice.hpp"
-#include "core/node_pass.hpp"
 #include "core/reference/gather_pass.hpp"
 #include "core/reference/move_pass.hpp"
 #include "core/reference/scatter_pass.hpp"
 #include "core/reference/stress_pass.hpp"
-#include "core/scatter_pass.hpp"
-#include "core/spline_shape.hpp"
-#include "core/stress_pass.hpp"
+#include "tests/support/nodes.hpp"
 #include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -95,22 +91,6 @@ std::vector<double> by_id(const Particles<Dim, T>& points, const ColumnOf<Number
   std::vector<double> values(rows.size());
   for (const std::size_t p : rows) values.at(points.id[p]) = column[p];
   return values;
-}
-
-/// By node, what all tiles give.
-template <int Dim, class Shape>
-std::vector<double> by_node(const State<Dim, Shape>& state,
-                            const typename TileSums<Dim, Shape>::Lines& lines) {
-  const auto& tiles = state.order.tiles();
-  std::vector<double> sums(state.nodal.nodes.m.size() + 16, 0.0);
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
-    for (std::size_t line = 0; line < lines.size(); ++line)
-      for (std::size_t e = 0; e < state.order.tile_entries; ++e)
-        sums[static_cast<std::size_t>(tiles[tile].first_node +
-                                      state.grid.corner_offset[line * Shape::width]) +
-             e] += lines[line][state.order.entry(tile) + e];
-  sums.resize(static_cast<std::size_t>(state.grid.node_count));
-  return sums;
 }
 
 template <int Dim, class Shape, class Plain>

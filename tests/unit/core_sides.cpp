@@ -1,10 +1,7 @@
 // B-splines at the sides of the grid: images of nodes, the step's bound, friction.
+#include "core/compiled_passes.hpp"
 #include "core/contact_pass.hpp"
 #include "core/lattice.hpp"
-#include "core/node_pass.hpp"
-#include "core/scatter_pass.hpp"
-#include "core/spline_shape.hpp"
-#include "core/stress_pass.hpp"
 #include "core/time_step.hpp"
 #include "tests/support/nodes.hpp"
 #include "tests/support/rows.hpp"

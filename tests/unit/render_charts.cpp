@@ -154,6 +154,41 @@ TEST(ChartPanels, ASharedLegendSaysEachLabelOnce) {
   expect_words_apart(drawing);
 }
 
+TEST(ChartPanels, ASharedLegendIsReadColumnByColumn) {
+  const std::vector<std::string> labels = {"first", "second", "third", "fourth",
+                                           "fifth, the longest"};
+  Chart chart = {{}, history_style()};
+  for (const std::string& label : labels) chart.curves.push_back(pulse(label, 1.0));
+  const Drawing drawing = draw_chart_panels({chart}, {.shared_legend = true, .width = 480});
+  const auto place = [&](std::size_t entry) { return words_of(drawing, labels[entry]).position; };
+  EXPECT_EQ(place(1).x, place(0).x);
+  EXPECT_LT(place(1).y, place(0).y);
+  EXPECT_GT(place(2).x, place(1).x);
+  EXPECT_EQ(place(2).y, place(0).y);
+  EXPECT_GT(place(4).x, place(3).x);
+  EXPECT_EQ(place(4).y, place(0).y);
+  expect_nothing_clipped(drawing);
+  expect_words_apart(drawing);
+}
+
+TEST(ChartPanels, ASharedLegendEndsWithTheNotesThatAllChartsHave) {
+  std::vector<Chart> charts(2, {{pulse("shoulder", 1.0), pulse("toe", 0.5)}, history_style()});
+  for (Chart& chart : charts) chart.style.notes = {"smoothed"};
+  const auto times_said = [](const Drawing& drawing) {
+    return std::ranges::count(drawing.texts, "smoothed", &Words::text);
+  };
+  const Drawing common = draw_chart_panels(charts, {.shared_legend = true});
+  EXPECT_EQ(times_said(common), 1);
+  EXPECT_LT(words_of(common, "smoothed").position.y, words_of(common, "toe").position.y);
+  expect_nothing_clipped(common);
+  expect_words_apart(common);
+  EXPECT_EQ(times_said(draw_chart_panels(charts, {})), 2);
+  charts[1].style.notes = {"raw"};
+  const Drawing own = draw_chart_panels(charts, {.shared_legend = true});
+  EXPECT_GT(words_of(own, "smoothed").position.y, words_of(own, "toe").position.y);
+  EXPECT_GT(words_of(own, "raw").position.y, words_of(own, "toe").position.y);
+}
+
 TEST(ChartPanels, NothingIsClippedAtAnySize) {
   const std::vector<Chart> charts = {family(numbers(15, 15)),
                                      {{pulse("a rather long label", 3.0)}, history_style()}};

@@ -43,6 +43,30 @@ TEST(Field, MagnitudesComponentsAndTheirErrors) {
   EXPECT_THROW(field_values(frame, {"colour"}), std::runtime_error);
 }
 
+TEST(Field, EveryComponentThereIsIsListedForOneThatIsNot) {
+  const auto complaint = [](const char* name, int components, int component) -> std::string {
+    try {
+      require_component({name, components, {}}, component);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const int components : {1, 3, 6, 9}) {
+    for (int c = 0; c < components; ++c) EXPECT_EQ(complaint("field", components, c), "");
+    EXPECT_EQ(complaint("field", components, -1).empty(), components <= 3);
+  }
+  EXPECT_EQ(complaint("gap", 1, 1), "gap has no component 1; must be 0 or -1");
+  EXPECT_EQ(complaint("velocity", 3, -2),
+            "velocity has no component -2; must be 0 (x), 1 (y), 2 (z) or -1 (magnitude)");
+  EXPECT_EQ(complaint("stress", 6, -1),
+            "stress has no magnitude; must be 0 (xx), 1 (yy), 2 (zz), 3 (xy), 4 (yz) or 5 (xz)");
+  EXPECT_EQ(complaint("velocity_gradient", 9, 9),
+            "velocity_gradient has no component 9; must be 0 (xx), 1 (xy), 2 (xz), 3 (yx), 4 (yy), "
+            "5 (yz), 6 (zx), 7 (zy) or 8 (zz)");
+  EXPECT_EQ(complaint("four", 4, 4), "four has no component 4; must be 0, 1, 2 or 3");
+}
+
 TEST(Field, StressComponentsInKilopascals) {
   io::Frame frame = test::empty_frame(1.0, 2.0, 2.0);
   test::add_point(frame, 0.5, 0.5, 1.0);
