@@ -11,28 +11,29 @@ void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
   if (tiles_.empty()) return rebuild(particles);
   const std::size_t before = tiles_.size();
   const auto n = static_cast<std::int64_t>(before);
-  std::vector<Leaving> leaving(static_cast<std::size_t>(omp_get_max_threads()));
+  leaving_.resize(static_cast<std::size_t>(omp_get_max_threads()));
+  for (Leaving& out : leaving_) out.clear();
 #pragma omp parallel
   {
-    Leaving& out = leaving[static_cast<std::size_t>(omp_get_thread_num())];
+    Leaving& out = leaving_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
     for (std::int64_t slot = 0; slot < n; ++slot)
       take_out(static_cast<std::uint32_t>(slot), particles, out);
   }
-  for (const Leaving& out : leaving) {
+  for (const Leaving& out : leaving_) {
     idle_.insert(idle_.end(), out.ranks.begin(), out.ranks.end());
     strays_ -= out.ranks.size();
     unfilled_ += out.unfilled;
     empty_tiles_ += out.emptied;
   }
-  for (Leaving& out : leaving)
+  for (Leaving& out : leaving_)
     for (Move& move : out.moves) find_row(move);
   particles.resize(next_.size() * tile_cells);
   const std::size_t bytes = particles.row_bytes();
-  const auto lists = static_cast<std::int64_t>(leaving.size());
+  const auto lists = static_cast<std::int64_t>(leaving_.size());
 #pragma omp parallel for schedule(static)
   for (std::int64_t k = 0; k < lists; ++k) {
-    const Leaving& out = leaving[static_cast<std::size_t>(k)];
+    const Leaving& out = leaving_[static_cast<std::size_t>(k)];
     for (std::size_t m = 0; m < out.moves.size(); ++m)
       particles.put_in(out.moves[m].to_row, &out.points[m * bytes]);
   }
@@ -102,7 +103,8 @@ void CellOrder<Dim, width, tile_cells>::take_out(std::uint32_t slot, Particles<D
   if (all_here) return;
 
   // From the last rank on, so that what fills a gap is a point that stays.
-  std::vector<Rank> by_number;
+  std::vector<Rank>& by_number = out.of_tile;
+  by_number.clear();
   for (const Rank& rank : ranks(tile)) by_number.push_back(rank);
   for (std::uint32_t number = tile.ranks; number-- > 0;) {
     const std::size_t row = by_number[number].row;
@@ -134,7 +136,7 @@ void CellOrder<Dim, width, tile_cells>::find_row(Move& move) {
   std::uint32_t& slot = slot_of_[static_cast<std::size_t>(move.to_tile)];
   if (slot == none) {
     slot = static_cast<std::uint32_t>(tiles_.size());
-    tiles_.push_back(empty_tile(move.to_tile));
+    grow(tiles_, tiles_.size() + 1, empty_tile(move.to_tile));
     ++empty_tiles_;
   }
   Tile& tile = tiles_[slot];
@@ -156,7 +158,7 @@ void CellOrder<Dim, width, tile_cells>::find_row(Move& move) {
 template <int Dim, int width, std::size_t tile_cells>
 std::uint32_t CellOrder<Dim, width, tile_cells>::take_rank() {
   if (idle_.empty()) { // several more at once, the lowest one first
-    const std::size_t before = next_.size(), after = before + before / 64 + 1;
+    const std::size_t before = next_.size(), after = before + before / 256 + 1;
     grow(next_, after, none);
     for (std::size_t k = after; k-- > before;)
       idle_.push_back(static_cast<std::uint32_t>(k * tile_cells));
@@ -204,6 +206,8 @@ void CellOrder<Dim, width, tile_cells>::rebuild(Particles<Dim, T>& particles) {
     for (std::uint32_t k = 0; k < most; ++k)
       next_.push_back(static_cast<std::uint32_t>((next_.size() + 1) * tile_cells));
   }
+  tiles_.shrink_to_fit();
+  next_.shrink_to_fit();
 #pragma omp parallel for schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
     const auto p = static_cast<std::size_t>(k);
@@ -248,6 +252,7 @@ void CellOrder<Dim, width, tile_cells>::find_node_runs() {
     run.whole.fill(static_cast<std::uint32_t>(entry(tiles_.size())));
     run.ends = run.whole;
   }
+  runs_.shrink_to_fit();
   for (std::size_t slot = 0; slot < tiles_.size(); ++slot)
     for_each_run(tiles_[slot], [&](std::size_t run, std::size_t line, bool last) {
       NodeRun& of = runs_[run_of_[run]];

@@ -156,6 +156,15 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
     std::vector<std::uint32_t> ranks; ///< that nobody fills any more: their first rows
     std::ptrdiff_t unfilled = 0;      ///< change of `unfilled_`
     std::size_t emptied = 0;          ///< tiles
+    std::vector<Rank> of_tile;        ///< scratch
+
+    void clear() {
+      moves.clear();
+      points.clear();
+      ranks.clear();
+      unfilled = 0;
+      emptied = 0;
+    }
   };
 
   static constexpr int lanes = static_cast<int>(tile_cells);
@@ -179,6 +188,7 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
   std::size_t strays_ = 0;             ///< ranks that tiles have taken, not at home
   std::ptrdiff_t unfilled_ = 0;        ///< ranks at home without points
   std::size_t empty_tiles_ = 0;
+  std::vector<Leaving> leaving_; ///< by thread; scratch of update()
   std::vector<NodeRun> runs_;
   std::vector<std::uint32_t> run_of_; ///< in runs_, of all runs of the grid; or none
   std::array<std::array<std::vector<SidePair>, 2>, Dim> side_pairs_;

@@ -38,7 +38,7 @@ template <class T> using ColumnOf = std::vector<T, LineAllocator<T>>;
 /// Resizes, with some room for more if it has to move; vectors alone would take twice the memory.
 template <class Vector>
 void grow(Vector& vector, std::size_t size, const typename Vector::value_type& value = {}) {
-  if (size > vector.capacity()) vector.reserve(size + size / 32);
+  if (size > vector.capacity()) vector.reserve(size + size / 64);
   vector.resize(size, value);
 }
 
