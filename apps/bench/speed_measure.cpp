@@ -20,10 +20,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// s, that this process has had.
+/// s, that this thread has had: others may still spin where they have waited for the last
+/// repetition.
 double processor_seconds() {
   timespec time = {};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -80,7 +81,7 @@ void advance(Simulation& simulation, long steps) {
 /// What one method with one number of threads took, repetition by repetition; s a step.
 struct Times {
   std::vector<double> step;
-  std::vector<double> processor; ///< of all threads
+  std::vector<double> processor; ///< of the first thread
   std::array<std::vector<double>, phase_count> phase;
 };
 
