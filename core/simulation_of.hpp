@@ -101,7 +101,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   double step(double until) override {
-    const auto [dt, end] = next_step(until);
+    const NextStep next = next_step(until);
+    const double dt = next.dt;
     const Scheme scheme = scene_.method.scheme;
     walls_.open_gates(time_);
     if (loads_.vary()) loads_.update(time_);
@@ -142,7 +143,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       check(move_pass(state_, dt, [&](std::size_t tile) { update_stress(tile, dt); }));
     add_up_losses();
     if (loads_.vary()) loads_.settle(state_.particles);
-    time_ = end;
+    time_ = next.time;
     ++steps_;
     done(Phase::stress);
     return dt;
