@@ -1,8 +1,8 @@
 # Target `tidy`: clang-tidy over every source of core io render apps, again when one of them, a header
 # or .clang-tidy changed.  Where sources are joined (preset `sanitize`) it reads the headers once for
 # eight of them.
-find_program(SCARP_CLANG_TIDY run-clang-tidy)
-if(NOT SCARP_CLANG_TIDY)
+find_program(SCARP_RUN_CLANG_TIDY run-clang-tidy)
+if(NOT SCARP_RUN_CLANG_TIDY)
   return()
 endif()
 
@@ -20,7 +20,7 @@ endforeach()
 list(JOIN folders "|" any_folder)
 add_custom_command(
   OUTPUT tidy.ok
-  COMMAND ${SCARP_CLANG_TIDY} -quiet -p ${PROJECT_BINARY_DIR}
+  COMMAND ${SCARP_RUN_CLANG_TIDY} -quiet -p ${PROJECT_BINARY_DIR}
           # The flags are those of GCC.
           -extra-arg=-Wno-unknown-warning-option -extra-arg=-Wno-unused-command-line-argument
           "^${PROJECT_SOURCE_DIR}/(${any_folder})/[^/]*$"
