@@ -36,7 +36,7 @@ std::vector<SpeedMethod> speed_methods() {
 /// the grid.
 SpeedSize full_size(int dimension, double points) {
   const CollapseSize size = collapse_of(dimension, points);
-  if (points < 5e4) return {size, 20, 100, 7};
+  if (points < 5e4) return {size, 20, dimension == 2 ? 100 : 24, 7}; // 3-D: large cells and steps
   if (points < 5e5) return {size, 30, 24, 7};
   if (points < 5e6) return {size, 20, 16, 5};
   return {size, 16, 12, 3};
@@ -93,7 +93,7 @@ SpeedPlan speed_plan(Effort effort) {
   plan.rough_roofline = effort == Effort::quick;
   if (effort == Effort::quick) {
     for (const int dimension : {2, 3})
-      plan.sizes.push_back({collapse_of(dimension, 2e4), 20, 60, 5});
+      plan.sizes.push_back({collapse_of(dimension, 2e4), 20, dimension == 2 ? 60 : 24, 5});
     return plan;
   }
   for (const double points : {1e4, 1e5, 1e6, 1e7}) plan.sizes.push_back(full_size(2, points));
