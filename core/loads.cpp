@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace scarp {
@@ -66,9 +67,22 @@ template <int Dim> Vec<Dim> Loads<Dim>::force(std::size_t region) const {
 template <int Dim>
 template <class T>
 std::vector<Vec<Dim>> Loads<Dim>::moments(const Particles<Dim, T>& points) const {
-  std::vector<Vec<Dim>> sums(regions_.size());
-  for (std::size_t p = 0; p < points.rows(); ++p)
-    for (std::size_t i = 0; i < Dim; ++i) sums[points.region[p]][i] += points.m[p] * points.x[i][p];
+  // Part by part, so that the sum does not depend on threads.
+  constexpr std::size_t rows_of_part = 4096;
+  const std::size_t rows = points.rows(), regions = regions_.size();
+  const std::size_t parts = (rows + rows_of_part - 1) / rows_of_part;
+  std::vector<Vec<Dim>> of_parts(parts * regions);
+  const auto n = static_cast<std::int64_t>(parts);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < n; ++k) {
+    const std::size_t part = static_cast<std::size_t>(k), first = part * rows_of_part;
+    for (std::size_t p = first; p < std::min(first + rows_of_part, rows); ++p)
+      for (std::size_t i = 0; i < Dim; ++i)
+        of_parts[part * regions + points.region[p]][i] += points.m[p] * points.x[i][p];
+  }
+  std::vector<Vec<Dim>> sums(regions);
+  for (std::size_t k = 0; k < of_parts.size(); ++k)
+    for (std::size_t i = 0; i < Dim; ++i) sums[k % regions][i] += of_parts[k][i];
   return sums;
 }
 
