@@ -139,6 +139,8 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
     std::size_t bytes = bytes_of(tiles_, slot_of_, next_, idle_, runs_, run_of_);
     for (const auto& axis : side_pairs_) bytes += bytes_of(axis[0], axis[1]);
     for (const auto& axis : side_tiles_) bytes += bytes_of(axis[0], axis[1]);
+    for (const Leaving& out : leaving_)
+      bytes += bytes_of(out.moves, out.points, out.ranks, out.of_tile);
     return bytes;
   }
 

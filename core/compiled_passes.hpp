@@ -28,10 +28,10 @@
   what Real gather_pass<Dim, true>(State<Dim, Shape<Dim, Number>>&, Real);                         \
   what LostPoints move_tile(State<Dim, Shape<Dim, Number>>&, std::size_t, Real);                   \
   what void remap_velocity_pass(State<Dim, Shape<Dim, Number>>&, const Walls<Dim>&, Real);         \
-  what void stress_pass<Dim>(State<Dim, Shape<Dim, Number>>&, std::uint8_t, const ElasticModuli&,  \
-                             const ElasticUpdate&, bool, Real);                                    \
-  what void stress_pass<Dim>(State<Dim, Shape<Dim, Number>>&, std::uint8_t, const ElasticModuli&,  \
-                             const DruckerPragerUpdate&, bool, Real)
+  what void stress_of_tile<Dim>(State<Dim, Shape<Dim, Number>>&, std::size_t, std::uint8_t,        \
+                                const ElasticModuli&, const ElasticUpdate&, bool, Real);           \
+  what void stress_of_tile<Dim>(State<Dim, Shape<Dim, Number>>&, std::size_t, std::uint8_t,        \
+                                const ElasticModuli&, const DruckerPragerUpdate&, bool, Real)
 // NOLINTEND(bugprone-macro-parentheses)
 
 namespace scarp {

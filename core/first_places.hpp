@@ -14,7 +14,6 @@ namespace scarp {
 /// Only of the others, those of cut squares, the place is kept.
 template <int Dim> class FirstPlaces {
  public:
-  FirstPlaces() = default;
   /// Of points in the order of creation.
   FirstPlaces(const Grid& grid, const std::array<ColumnOf<Real>, Dim>& x)
       : side_(grid.cell_size / grid.points_per_cell) {
@@ -67,11 +66,11 @@ template <int Dim> class FirstPlaces {
     return place;
   }
 
-  Real side_ = 0.0; ///< m, of a square
-  Vec<Dim> lower_ = {};
-  std::array<std::size_t, Dim> along_ = {}; ///< squares along each axis
-  std::vector<std::uint32_t> squares_;      ///< by point, x fastest; or `cut`
-  std::vector<std::uint32_t> cut_points_;   ///< in rising order
+  Real side_; ///< m, of a square
+  Vec<Dim> lower_;
+  std::array<std::size_t, Dim> along_;    ///< squares along each axis
+  std::vector<std::uint32_t> squares_;    ///< by point, x fastest; or `cut`
+  std::vector<std::uint32_t> cut_points_; ///< in rising order
   std::vector<Vec<Dim>> cut_places_;
 };
 

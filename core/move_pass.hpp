@@ -33,11 +33,10 @@ template <int Dim, class Shape> const auto& moving_velocity(const State<Dim, Sha
 template <int Dim, class Shape>
 [[gnu::hot]] LostPoints move_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Real dt) {
   using T = typename Shape::Number;
-  using Lanes = TileLanes<Dim, Shape>;
-  using Places = typename Lanes::Places;
+  using Places = typename TileLanes<Dim, Shape>::Places;
   Particles<Dim, T>& points = state.particles;
   const auto& velocity = moving_velocity(state);
-  const Lanes tile(state, number_of_tile);
+  const TileLanes<Dim, Shape> tile(state, number_of_tile);
   LostPoints lost;
   const auto note = [&](const auto& which, std::size_t row, std::uint32_t& lowest) {
     for (std::size_t lane = 0; lane < tile_cells<T>; ++lane)

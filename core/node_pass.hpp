@@ -164,11 +164,8 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       }
     }
   };
-  if (walls.mirrors().empty()) {
-    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
-      advance(run, number_of_run, force(run));
-    });
-  } else {
+  const bool exchange = !walls.mirrors().empty();
+  if (exchange) {
     for (auto& f : nodes.f) f.resize(nodes.m.size());
     for_each_node_run(state, [&](const auto& run, std::size_t) {
       const std::array<Pack<T>, Dim> f = force(run);
@@ -176,13 +173,16 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
         store_lanes(f[i], &nodes.f[i][static_cast<std::size_t>(run.node)], run.count);
     });
     add_images(state, walls, nodes.f);
-    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
-      std::array<Pack<T>, Dim> f;
-      for (std::size_t i = 0; i < Dim; ++i)
-        f[i] = load_lanes(&nodes.f[i][static_cast<std::size_t>(run.node)]);
-      advance(run, number_of_run, f);
-    });
   }
+  const auto exchanged = [&](const auto& run) {
+    std::array<Pack<T>, Dim> f;
+    for (std::size_t i = 0; i < Dim; ++i)
+      f[i] = load_lanes(&nodes.f[i][static_cast<std::size_t>(run.node)]);
+    return f;
+  };
+  for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
+    advance(run, number_of_run, exchange ? exchanged(run) : force(run));
+  });
   state.nodal.rubbed = resist_pass(state, walls);
 }
 
