@@ -2,15 +2,27 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace scarp::apps {
 
+/// What the pile's scene is changed to, by name.
+struct PileModel {
+  std::string help;
+  std::vector<std::string> set; ///< overrides of data/scenes/bui2008.toml
+};
+/// published: as in Wu 2017.  The others add what that leaves out, with values from elsewhere:
+/// inertial: friction that grows with the rate of shear.  inertial_sliding: also a base that bears
+/// what the rods' own friction does instead of holding them.
+const std::map<std::string, PileModel>& pile_models();
+
 struct Bui2008Options {
   std::filesystem::path out;
-  double cell_size = 0.0025; ///< m; 0.001 is the paper's, with 80 000 points
-  int threads = 0;           ///< 0: all there are
+  double cell_size = 0.0025;       ///< m; 0.001 is the paper's, with 80 000 points
+  std::string model = "published"; ///< one of pile_models()
+  int threads = 0;                 ///< 0: all there are
   std::vector<std::string> set;
 };
 

@@ -20,6 +20,15 @@ void add_reproduce(CLI::App& program) {
   bui->add_option("--cell", options->cell_size,
                   "Cell size, m; 0.001 is the paper's (80 000 points)")
       ->capture_default_str();
+  std::vector<std::string> models;
+  std::string says = "What the rods and the base do:";
+  for (const auto& [name, model] : pile_models()) {
+    models.push_back(name);
+    says += " " + name + " (" + model.help + ")";
+  }
+  bui->add_option("--model", options->model, says)
+      ->capture_default_str()
+      ->check(CLI::IsMember(models));
   bui->add_option("--threads", options->threads, "Threads; default: all there are")
       ->check(CLI::Range(1, 1024));
   bui->add_option("--set", options->set, "key=value that overrides the scene; repeatable")

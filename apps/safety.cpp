@@ -102,9 +102,15 @@ Material reduced(const Material& material, double factor) {
   Material weaker = material;
   if (auto* law = std::get_if<DruckerPrager>(&weaker.law)) {
     constexpr double degree = std::numbers::pi / 180.0;
-    law->cohesion /= factor;
-    law->friction_angle = std::atan(std::tan(law->friction_angle * degree) / factor) / degree;
-    law->dilation_angle = std::min(law->dilation_angle, law->friction_angle);
+    const auto divide = [&](double& cohesion, double& friction_angle, double& dilation_angle) {
+      cohesion /= factor;
+      if (!std::isinf(friction_angle))
+        friction_angle = std::atan(std::tan(friction_angle * degree) / factor) / degree;
+      if (!std::isinf(dilation_angle)) dilation_angle = std::min(dilation_angle, friction_angle);
+    };
+    divide(law->cohesion, law->friction_angle, law->dilation_angle);
+    Softening& residual = law->residual;
+    divide(residual.cohesion, residual.friction_angle, residual.dilation_angle);
   }
   return weaker;
 }

@@ -31,7 +31,9 @@
   what void stress_of_tile<Dim>(State<Dim, Shape<Dim, Number>>&, std::size_t, std::uint8_t,        \
                                 const ElasticModuli&, const ElasticUpdate&, bool, Real);           \
   what void stress_of_tile<Dim>(State<Dim, Shape<Dim, Number>>&, std::size_t, std::uint8_t,        \
-                                const ElasticModuli&, const DruckerPragerUpdate&, bool, Real)
+                                const ElasticModuli&, const DruckerPragerUpdate&, bool, Real);     \
+  what void stress_of_tile<Dim>(State<Dim, Shape<Dim, Number>>&, std::size_t, std::uint8_t,        \
+                                const ElasticModuli&, const EvolvingStrengthUpdate&, bool, Real)
 // NOLINTEND(bugprone-macro-parentheses)
 
 namespace scarp {

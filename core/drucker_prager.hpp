@@ -82,82 +82,116 @@ struct ElasticUpdate {
   }
 };
 
+/// Slope and height of the cone for angles in degrees and a cohesion in Pa.
+inline std::array<Real, 2> cone_of(Cone cone, Real angle, Real cohesion) {
+  const Real radians = angle * 3.14159265358979323846 / 180.0;
+  const Real s = std::sin(radians), c = std::cos(radians), t = std::tan(radians);
+  if (cone == Cone::plane_strain) {
+    const Real root = std::sqrt(9.0 + 12.0 * t * t);
+    return {3.0 * t / root, 3.0 / root * cohesion};
+  }
+  const Real below = std::sqrt(3.0) * (cone == Cone::inscribed ? 3.0 + s : 3.0 - s);
+  return {6.0 * s / below, 6.0 * c / below * cohesion};
+}
+
+/// Cone, potential and cut-off that a return needs; Value is a number, or a SIMD value where points
+/// differ.
+template <class Value> struct YieldSurface {
+  Value q;            ///< -
+  Value k;            ///< Pa
+  Value cut_off;      ///< Pa, the apex at most
+  Value bulk_q_psi;   ///< Pa, K q_psi
+  Value inv_hardness; ///< 1/Pa, 1 / (G + K q_phi q_psi)
+};
+
+/// How the rate of shear counts in a return: not at all.  Otherwise see core/evolving_strength.hpp.
+struct RateIndependent {
+  /// Shear stress after the step, Pa, from its trial, what the cone bears and the mean stress.
+  template <class T> T shear_stress(const T& tau_trial, const T& cone, const T&) const {
+    using std::min;
+    return min(tau_trial, cone);
+  }
+  /// 1/Pa, of the return to the cone.
+  template <class T, class Value> Value inv_hardness(const Value& of_cone, const T&) const {
+    return of_cone;
+  }
+};
+
+/// What a return needs of the elastic moduli.
+struct ReturnModuli {
+  Real bulk;      ///< Pa
+  Real inv_bulk;  ///< 1/Pa
+  Real inv_shear; ///< 1/Pa
+
+  explicit ReturnModuli(const ElasticModuli& moduli)
+      : bulk(moduli.bulk), inv_bulk(1.0 / moduli.bulk), inv_shear(1.0 / moduli.shear) {}
+};
+
+/// Takes the elastic trial stress to the admissible one.  The two surfaces are returned to with
+/// two multipliers (Koiter): the cone alone, the cut-off alone, or their common edge.
+/// Free of branches but one, so that it works on SIMD values as well: a multiplier that would be
+/// negative is zero, and what lies inside both surfaces stays as it is, to the bit.  Where all
+/// points do, as most of a slope does most of the time, the return is skipped.
+/// `gap` is that before the step and is brought up to date; `room` is its upper bound.
+template <int Dim, class T, class Value, class Rate = RateIndependent>
+[[gnu::always_inline]] inline PlasticStep<T>
+return_to(const YieldSurface<Value>& surface, const ReturnModuli& moduli, SymTensor<Dim, T>& stress,
+          T& gap, const T& room, const Rate& rate = {}) {
+  using std::max, std::min, std::sqrt;
+  const auto& [q, k, cut_off, bulk_q_psi, inv_hardness] = surface;
+  const auto bulk = number<T>(moduli.bulk), inv_bulk = number<T>(moduli.inv_bulk);
+  const T mean_trial = trace<Dim, T>(stress) * number<T>(1.0 / 3.0);
+  SymTensor<Dim, T> s = stress;
+  for (std::size_t i = 0; i < 3; ++i) s[i] -= mean_trial;
+  T J2 = 0.5F * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+  for (std::size_t i = 3; i < s.size(); ++i) J2 += s[i] * s[i];
+  const T strength = k - q * mean_trial;
+  const auto inside =
+      mean_trial <= cut_off && strength >= 0.0F && J2 <= strength * strength && gap == 0.0F;
+  if (everywhere(inside)) return {};
+
+  const T tau_trial = sqrt(J2);
+  const T mean_open = mean_trial + bulk * gap;
+  const T multiplier =
+      max(tau_trial - strength, T(0.0F)) * rate.inv_hardness(inv_hardness, mean_trial);
+  const T mean_cone = mean_open - bulk_q_psi * multiplier;
+  const T mean = min(mean_cone, T(cut_off));
+  const T opening = (mean_cone - mean) * inv_bulk;
+  gap = min(opening, room);
+  const T tau = max(rate.shear_stress(tau_trial, T(k - q * mean), mean), T(0.0F));
+  constexpr auto least = std::numeric_limits<typename NumberIn<T>::type>::min();
+  const T scale = tau / max(tau_trial, T(least)); // 0/0 is 0: s is 0
+  for (std::size_t i = 0; i < 3; ++i) stress[i] = choose(inside, stress[i], mean + scale * s[i]);
+  for (std::size_t i = 3; i < s.size(); ++i) stress[i] = choose(inside, stress[i], scale * s[i]);
+
+  // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
+  const T slip = (tau_trial - tau) * number<T>(moduli.inv_shear);
+  constexpr Real inv_sqrt3 = 0.57735026918962576451;
+  return {true, slip * number<T>(inv_sqrt3),
+          tau * slip + mean * ((mean_open - mean) * inv_bulk - gap), opening - gap};
+}
+
 struct DruckerPragerUpdate {
-  ElasticModuli moduli;
-  Real q_phi;
-  Real k_phi; ///< Pa
-  Real q_psi;
-  Real sigma_t;      ///< Pa
-  Real inv_hardness; ///< 1/Pa, 1 / (G + K q_phi q_psi)
-  Real inv_shear;    ///< 1/Pa
-  Real inv_bulk;     ///< 1/Pa
+  ReturnModuli moduli;
+  YieldSurface<Real> surface;
 
   static DruckerPragerUpdate from(const DruckerPrager& law, const ElasticModuli& moduli) {
-    const auto radians = [](Real degrees) { return degrees * 3.14159265358979323846 / 180.0; };
-    const auto slopes = [&](Real angle) -> std::array<Real, 2> { // q and k/c
-      const Real s = std::sin(angle), c = std::cos(angle), t = std::tan(angle);
-      if (law.cone == Cone::plane_strain) {
-        const Real root = std::sqrt(9.0 + 12.0 * t * t);
-        return {3.0 * t / root, 3.0 / root};
-      }
-      const Real below = std::sqrt(3.0) * (law.cone == Cone::inscribed ? 3.0 + s : 3.0 - s);
-      return {6.0 * s / below, 6.0 * c / below};
-    };
-    const auto [q_phi, k_over_c] = slopes(radians(law.friction_angle));
-    const Real k_phi = k_over_c * law.cohesion;
-    const Real apex = q_phi > 0.0 ? k_phi / q_phi : std::numeric_limits<Real>::infinity();
-    const Real q_psi = slopes(radians(law.dilation_angle))[0];
-    return {moduli,
-            q_phi,
-            k_phi,
-            q_psi,
-            std::min(law.tension_cutoff, apex),
-            1.0 / (moduli.shear + moduli.bulk * q_phi * q_psi),
-            1.0 / moduli.shear,
-            1.0 / moduli.bulk};
+    const auto [q, k] = cone_of(law.cone, law.friction_angle, law.cohesion);
+    const Real q_psi = cone_of(law.cone, law.dilation_angle, 0.0)[0];
+    const Real apex = q > 0.0 ? k / q : std::numeric_limits<Real>::infinity();
+    return {ReturnModuli(moduli),
+            {q, k, std::min(law.tension_cutoff, apex), moduli.bulk * q_psi,
+             1.0 / (moduli.shear + moduli.bulk * q * q_psi)}};
   }
 
-  static constexpr Real inv_sqrt3 = 0.57735026918962576451;
-
-  /// Takes the elastic trial stress to the admissible one.  The two surfaces are returned to with
-  /// two multipliers (Koiter): the cone alone, the cut-off alone, or their common edge.
-  /// Free of branches but one, so that it works on SIMD values as well: a multiplier that would be
-  /// negative is zero, and what lies inside both surfaces stays as it is, to the bit.  Where all
-  /// points do, as most of a slope does most of the time, the return is skipped.
-  /// `gap` is that before the step and is brought up to date; `room` is its upper bound.
   template <int Dim, class T>
   [[gnu::always_inline]] PlasticStep<T> operator()(SymTensor<Dim, T>& stress, T& gap,
                                                    const T& room) const {
-    using std::max, std::min, std::sqrt;
-    const auto q = number<T>(q_phi), k = number<T>(k_phi), cut_off = number<T>(sigma_t);
-    const auto inv_K = number<T>(inv_bulk);
-    const T mean_trial = trace<Dim, T>(stress) * number<T>(1.0 / 3.0);
-    SymTensor<Dim, T> s = stress;
-    for (std::size_t i = 0; i < 3; ++i) s[i] -= mean_trial;
-    T J2 = 0.5F * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-    for (std::size_t i = 3; i < s.size(); ++i) J2 += s[i] * s[i];
-    const T strength = k - q * mean_trial;
-    const auto inside =
-        mean_trial <= cut_off && strength >= 0.0F && J2 <= strength * strength && gap == 0.0F;
-    if (everywhere(inside)) return {};
-
-    const T tau_trial = sqrt(J2);
-    const T mean_open = mean_trial + number<T>(moduli.bulk) * gap;
-    const T multiplier = max(tau_trial - strength, T(0.0F)) * number<T>(inv_hardness);
-    const T mean_cone = mean_open - number<T>(moduli.bulk * q_psi) * multiplier;
-    const T mean = min(mean_cone, T(cut_off));
-    const T opening = (mean_cone - mean) * inv_K;
-    gap = min(opening, room);
-    const T tau = max(min(tau_trial, k - q * mean), T(0.0F));
-    constexpr auto least = std::numeric_limits<typename NumberIn<T>::type>::min();
-    const T scale = tau / max(tau_trial, T(least)); // 0/0 is 0: s is 0
-    for (std::size_t i = 0; i < 3; ++i) stress[i] = choose(inside, stress[i], mean + scale * s[i]);
-    for (std::size_t i = 3; i < s.size(); ++i) stress[i] = choose(inside, stress[i], scale * s[i]);
-
-    // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
-    const T slip = (tau_trial - tau) * number<T>(inv_shear);
-    return {true, slip * number<T>(inv_sqrt3),
-            tau * slip + mean * ((mean_open - mean) * inv_K - gap), opening - gap};
+    const auto of = [](Real value) { return number<T>(value); };
+    const YieldSurface<decltype(of(0.0))> numbers = {of(surface.q), of(surface.k),
+                                                     of(surface.cut_off), of(surface.bulk_q_psi),
+                                                     of(surface.inv_hardness)};
+    return return_to<Dim, T>(numbers, moduli, stress, gap, room);
   }
 
   /// The same with Opening::forgotten.

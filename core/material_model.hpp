@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/drucker_prager.hpp"
+#include "core/evolving_strength.hpp"
 #include "core/scene.hpp"
 
 #include <variant>
 
 namespace scarp {
 
-using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate>;
+using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate, EvolvingStrengthUpdate>;
 
 struct MaterialModel {
   ElasticModuli moduli;
@@ -20,7 +21,10 @@ struct MaterialModel {
       : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
         density(material.density) {
     if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
-      update = DruckerPragerUpdate::from(*law, moduli);
+      if (law->evolves())
+        update = EvolvingStrengthUpdate::from(*law, moduli, density);
+      else
+        update = DruckerPragerUpdate::from(*law, moduli);
       opens = law->opening == Opening::remembered;
     }
   }

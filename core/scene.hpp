@@ -52,6 +52,17 @@ struct LinearElastic {};
 /// first; see core/drucker_prager.hpp.
 enum class Opening { forgotten, remembered };
 
+/// What strength and dilation become with the equivalent plastic strain; see
+/// core/evolving_strength.hpp. Infinity: as at first.
+struct Softening {
+  double cohesion = std::numeric_limits<double>::infinity();       ///< Pa
+  double friction_angle = std::numeric_limits<double>::infinity(); ///< degrees
+  double dilation_angle = std::numeric_limits<double>::infinity(); ///< degrees
+  double peak_strain = 0.0; ///< -, plastic strain from which on they change
+  /// -, plastic strain at which they have changed; infinity: they do not
+  double residual_strain = std::numeric_limits<double>::infinity();
+};
+
 /// Drucker-Prager with a tension cut-off, non-associated; see core/drucker_prager.hpp.
 struct DruckerPrager {
   double cohesion = 0.0;       ///< Pa
@@ -62,6 +73,16 @@ struct DruckerPrager {
   /// infinity means "at the apex".
   double tension_cutoff = std::numeric_limits<double>::infinity();
   Opening opening = Opening::forgotten;
+  Softening residual;
+
+  double rate_strengthening = 0.0; ///< -, growth of the cone's slope with the inertial number
+  double grain_diameter = 0.0;     ///< m, in the inertial number
+
+  /// Whether strength depends on plastic strain or on rate.
+  bool evolves() const {
+    return residual.residual_strain < std::numeric_limits<double>::infinity() ||
+           rate_strengthening * grain_diameter > 0.0;
+  }
 };
 
 struct Material {

@@ -149,9 +149,12 @@ template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::
     }
     return "MUSL: stress after a second mapping of the momenta";
   };
-  bool plastic = false;
+  bool plastic = false, evolves = false;
   for (const Material& material : scene_.materials)
-    plastic = plastic || std::holds_alternative<DruckerPrager>(material.law);
+    if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
+      plastic = true;
+      evolves = evolves || law->evolves();
+    }
   const std::string shape = Shape::layout == NodeLayout::corner   ? "linear"
                             : Shape::layout == NodeLayout::padded ? "uniform GIMP"
                                                                   : "quadratic B-spline";
@@ -168,6 +171,7 @@ template <int Dim, class Shape> std::vector<PlanLine> SimulationOf<Dim, Shape>::
        std::is_same_v<Number, Real> ? "double precision" : "single precision, positions double"},
       {"plasticity", plastic ? "Drucker-Prager; the return is skipped where points stay elastic"
                              : "none, skipped"},
+      {"strength", evolves ? "changes with plastic strain or rate" : "constant"},
       {"gaps", remembers_gaps(scene_) ? "remembered: opened material has to close before it bears"
                                       : "forgotten, not stored"},
       {"local damping", method.local_damping > 0.0 ? "on" : "none, skipped"},

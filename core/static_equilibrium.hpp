@@ -204,8 +204,9 @@ template <int Dim, class Shape> class StaticEquilibrium {
       const MaterialModel& material = materials_[state_.particles.material[cell.row(k)]];
       const auto update = [&](const auto& law) {
         Real gap = 0.0;
-        update_stress<Dim, Real>(tau[k], gap, 0.0, e[k], excess(k, divergence), 1.0,
-                                 material.moduli, law);
+        update_stress<Dim, Real>(
+            tau[k], gap, 0.0, e[k], excess(k, divergence), 1.0, material.moduli,
+            law_in_step<Real>(law, 0.0, std::numeric_limits<Real>::infinity()));
       };
       if (yields)
         std::visit(update, material.update);

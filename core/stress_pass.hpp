@@ -16,7 +16,7 @@
 // of every point is the cell's mean(p): again adjoint, again no energy from nothing.
 #pragma once
 
-#include "core/drucker_prager.hpp"
+#include "core/evolving_strength.hpp"
 #include "core/state.hpp"
 
 namespace scarp {
@@ -182,15 +182,16 @@ template <int Dim, bool opens, class Law, class Shape>
       room = max(1.0F / interpolate(along.w, tile.at_nodes(state.nodal.nodes.fraction)) - 1.0F,
                  Pack<T>(T(0)));
     }
-    const PlasticStep<Pack<T>> plastic =
-        update_stress<Dim, Pack<T>>(tau, gap, room, grad_v, dilation, dt, moduli, law);
+    const Pack<T> strain = load_lanes(&points.plastic_strain[row]);
+    const PlasticStep<Pack<T>> plastic = update_stress<Dim, Pack<T>>(
+        tau, gap, room, grad_v, dilation, dt, moduli, law_in_step<Pack<T>>(law, strain, dt));
     unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
       store(tau[i], points.tau[i]);
     });
     Pack<T> growth = 1.0F + number<T>(dt) * rate;
     if (plastic.happened) {
       if constexpr (opens) store(gap, points.gap);
-      store(load_lanes(&points.plastic_strain[row]) + plastic.strain, points.plastic_strain);
+      store(strain + plastic.strain, points.plastic_strain);
       store(load_lanes(&points.dissipation[row]) + plastic.dissipation, points.dissipation);
       // A gap that is not remembered is no volume of the material either: else it adds up for ever.
       if (any_of(plastic.forgotten > 0.0F)) growth /= 1.0F + plastic.forgotten;

@@ -196,16 +196,56 @@ void check_names(const std::string& section, const std::vector<Item>& items, Sce
   }
 }
 
+void check_evolution(const std::string& key, const DruckerPrager& soil, SceneReport& report) {
+  const Softening& residual = soil.residual;
+  const auto given = [](double value) { return !std::isinf(value); };
+  const std::string last = key + ".residual_plastic_strain";
+  const std::vector<std::pair<std::string, double>> values = {
+      {"cohesion_Pa", residual.cohesion},
+      {"friction_angle_deg", residual.friction_angle},
+      {"dilation_angle_deg", residual.dilation_angle}};
+  for (const auto& [name, value] : values)
+    if (given(value) && !given(residual.residual_strain) && report.usable({last}))
+      report.problem(key + ".residual_" + name,
+                     "has no effect without residual_plastic_strain, the strain at which it holds");
+  if (report.usable({last, key + ".peak_plastic_strain"}) &&
+      residual.peak_strain >= residual.residual_strain)
+    report.problem(last, fmt::format("is {}; must be above peak_plastic_strain, {}",
+                                     number_text(residual.residual_strain),
+                                     number_text(residual.peak_strain)));
+  const std::string dilation = key + ".residual_dilation_angle_deg";
+  if (report.usable({dilation, key + ".dilation_angle_deg", key + ".friction_angle_deg",
+                     key + ".residual_friction_angle_deg"})) {
+    const double psi =
+        given(residual.dilation_angle) ? residual.dilation_angle : soil.dilation_angle;
+    const double phi =
+        given(residual.friction_angle) ? residual.friction_angle : soil.friction_angle;
+    if (psi > phi && soil.dilation_angle <= soil.friction_angle)
+      report.problem(given(residual.dilation_angle) ? dilation
+                                                    : key + ".residual_friction_angle_deg",
+                     fmt::format("leaves a residual dilation angle of {} and a residual friction "
+                                 "angle of {}; dilation must be at most friction",
+                                 number_text(psi), number_text(phi)));
+  }
+  const std::string diameter = key + ".grain_diameter_m";
+  if (report.usable({diameter, key + ".rate_strengthening"}) && soil.rate_strengthening > 0.0 &&
+      soil.grain_diameter == 0.0)
+    report.problem(key + ".rate_strengthening",
+                   "has no effect without grain_diameter_m, the diameter of the grains");
+}
+
 void check_materials(const std::vector<Material>& materials, SceneReport& report) {
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const auto* soil = std::get_if<DruckerPrager>(&materials[i].law);
+    if (soil == nullptr) continue;
     const std::string key = item_key("material", materials, i);
     const std::string dilation = key + ".dilation_angle_deg";
-    if (soil != nullptr && report.usable({dilation, key + ".friction_angle_deg"}) &&
+    if (report.usable({dilation, key + ".friction_angle_deg"}) &&
         soil->dilation_angle > soil->friction_angle)
       report.problem(dilation, fmt::format("is {}; must be at most the friction angle, {}",
                                            number_text(soil->dilation_angle),
                                            number_text(soil->friction_angle)));
+    check_evolution(key, *soil, report);
   }
 }
 

@@ -57,6 +57,15 @@ template <typename OneLaw, typename Value> auto of_law(Value OneLaw::*member) {
   return [member](auto& material) -> auto& { return std::get<OneLaw>(material.law).*member; };
 }
 
+/// An option of what a Drucker-Prager material softens to.
+Option<Material> softening(const std::string& key, const std::string& unit,
+                           double Softening::*member, const Range& range, const std::string& help) {
+  const auto of = [member](auto& material) -> auto& {
+    return std::get<DruckerPrager>(material.law).residual.*member;
+  };
+  return only_with<DruckerPrager>(number<Material>(key, unit, of, range, help));
+}
+
 Option<Material> bulk_modulus() {
   const Range range{.above = 0};
   return instead_of<Material>(
@@ -156,6 +165,28 @@ Section<Material> material_section() {
                   {{"forgotten", Opening::forgotten}, {"remembered", Opening::remembered}},
                   "Whether a gap opened at the tension cut-off has to close before the material "
                   "bears pressure again.")),
+              softening("residual_plastic_strain", "", &Softening::residual_strain,
+                        {.above = 0, .infinity = "it does not soften"},
+                        "Equivalent plastic strain at which strength and dilation have gone over "
+                        "to their residual values, linearly."),
+              softening("peak_plastic_strain", "", &Softening::peak_strain, {.at_least = 0},
+                        "Equivalent plastic strain at which this begins."),
+              softening("residual_cohesion_Pa", "Pa", &Softening::cohesion,
+                        {.at_least = 0, .infinity = "as at first"}, "Cohesion after softening."),
+              softening("residual_friction_angle_deg", "deg", &Softening::friction_angle,
+                        {.at_least = 0, .below = 90, .infinity = "as at first"},
+                        "Friction angle after softening."),
+              softening("residual_dilation_angle_deg", "deg", &Softening::dilation_angle,
+                        {.at_least = 0, .below = 90, .infinity = "as at first"},
+                        "Dilation angle after softening; 0: a critical state."),
+              only_with<DruckerPrager>(number<Material>(
+                  "rate_strengthening", "", of_law(&DruckerPrager::rate_strengthening),
+                  {.at_least = 0},
+                  "Growth of shear over mean stress with the inertial number, grain_diameter_m "
+                  "times the rate of shear times sqrt(density / pressure); about 1 for disks.")),
+              only_with<DruckerPrager>(number<Material>(
+                  "grain_diameter_m", "m", of_law(&DruckerPrager::grain_diameter), {.at_least = 0},
+                  "Diameter of the grains in the inertial number.")),
           },
       .needed = true};
 }

@@ -48,8 +48,9 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       }
       SymTensor<Dim> tau;
       for (std::size_t i = 0; i < tau.size(); ++i) tau[i] = points.tau[i][p];
-      const PlasticStep<> plastic = update_stress<Dim, Real>(
-          tau, gap, room, velocity_gradient(state, cell, p), dilation, dt, moduli, law);
+      const PlasticStep<> plastic =
+          update_stress<Dim, Real>(tau, gap, room, velocity_gradient(state, cell, p), dilation, dt,
+                                   moduli, law_in_step<Real>(law, points.plastic_strain[p], dt));
       for (std::size_t i = 0; i < tau.size(); ++i) points.tau[i][p] = tau[i];
       if (opens) points.gap[p] = gap;
       points.plastic_strain[p] += plastic.strain;

@@ -99,10 +99,10 @@ TEST(DruckerPrager, ConesOfAThreeFourFiveAngle) {
         Case{Cone::plane_strain, 2.25 / std::sqrt(15.75), 27.0 / std::sqrt(15.75)}}) {
     law.cone = cone;
     const auto update = DruckerPragerUpdate::from(law, moduli);
-    EXPECT_NEAR(update.q_phi, q, 1e-14);
-    EXPECT_NEAR(update.k_phi, k, 1e-13);
-    EXPECT_NEAR(update.q_psi, q, 1e-14); // psi = phi: the same slope
-    EXPECT_NEAR(update.sigma_t, k / q, 1e-12) << "no cut-off means the apex";
+    EXPECT_NEAR(update.surface.q, q, 1e-14);
+    EXPECT_NEAR(update.surface.k, k, 1e-13);
+    EXPECT_NEAR(update.surface.bulk_q_psi, moduli.bulk * q, 1e-13); // psi = phi: the same slope
+    EXPECT_NEAR(update.surface.cut_off, k / q, 1e-12) << "no cut-off means the apex";
   }
 }
 
@@ -117,7 +117,7 @@ TEST(DruckerPrager, ConesTouchMohrCoulombOnItsEdges) {
   const auto f = [&](Cone cone, const SymTensor<3>& stress) {
     law.cone = cone;
     const auto update = DruckerPragerUpdate::from(law, moduli);
-    return tau_of<3>(stress) + update.q_phi * mean_of<3>(stress) - update.k_phi;
+    return tau_of<3>(stress) + update.surface.q * mean_of<3>(stress) - update.surface.k;
   };
   const SymTensor<3> compression = {-1.5, -1.5, -10.0, 0.0, 0.0, 0.0};
   const SymTensor<3> extension = {-1.5, -10.0, -10.0, 0.0, 0.0, 0.0};
@@ -132,14 +132,14 @@ TEST(DruckerPrager, CutOffIsBoundedByTheApex) {
   law.cohesion = 9.0;
   law.friction_angle = degrees_345; // inscribed: apex at k/q = 12
   law.tension_cutoff = 5.0;
-  EXPECT_EQ(DruckerPragerUpdate::from(law, moduli).sigma_t, 5.0);
+  EXPECT_EQ(DruckerPragerUpdate::from(law, moduli).surface.cut_off, 5.0);
   law.tension_cutoff = 13.0;
-  EXPECT_NEAR(DruckerPragerUpdate::from(law, moduli).sigma_t, 12.0, 1e-12);
+  EXPECT_NEAR(DruckerPragerUpdate::from(law, moduli).surface.cut_off, 12.0, 1e-12);
   law.friction_angle = 0.0; // a cylinder (von Mises, k = 2 c / sqrt 3) has no apex
   law.tension_cutoff = infinity;
   const auto cylinder = DruckerPragerUpdate::from(law, moduli);
-  EXPECT_EQ(cylinder.sigma_t, infinity);
-  EXPECT_NEAR(cylinder.k_phi, 18.0 / root3, 1e-13);
+  EXPECT_EQ(cylinder.surface.cut_off, infinity);
+  EXPECT_NEAR(cylinder.surface.k, 18.0 / root3, 1e-13);
 }
 
 TEST(DruckerPrager, LeavesElasticStressAlone) {
@@ -260,7 +260,7 @@ TEST(DruckerPrager, CohesionlessTensionGivesNoStress) {
   DruckerPrager sand;
   sand.friction_angle = 30.0;
   const auto law = DruckerPragerUpdate::from(sand, ElasticModuli::from(1e6, 0.3));
-  EXPECT_EQ(law.sigma_t, 0.0);
+  EXPECT_EQ(law.surface.cut_off, 0.0);
   Random random(7);
   for (int sample = 0; sample < 100; ++sample) {
     SymTensor<3> stress;
@@ -307,20 +307,20 @@ template <int Dim> void sweep(std::uint64_t seed) {
     const auto step = law.template operator()<Dim>(stress);
     const Real tau = tau_of<Dim>(stress);
     const Real mean = mean_of<Dim>(stress);
-    const Real f = tau + law.q_phi * mean - law.k_phi;
+    const Real f = tau + law.surface.q * mean - law.surface.k;
     constexpr Real rounding = 1e-13; // of stresses and strains of about 10
 
     ASSERT_LE(f, rounding);
-    ASSERT_LE(mean, law.sigma_t + rounding);
+    ASSERT_LE(mean, law.surface.cut_off + rounding);
     const Real l1 = (tau_of<Dim>(trial) - tau) / of.shear;
-    const Real l2 = (mean_of<Dim>(trial) - mean) / of.bulk - law.q_psi * l1;
+    const Real l2 = (mean_of<Dim>(trial) - mean) / of.bulk - law.surface.bulk_q_psi / of.bulk * l1;
     ASSERT_GE(l1, -rounding);
     ASSERT_GE(l2, -rounding);
     if (l1 > 1e-9) {
       ASSERT_NEAR(f, 0.0, rounding);
     }
     if (l2 > 1e-9) {
-      ASSERT_NEAR(mean, law.sigma_t, rounding);
+      ASSERT_NEAR(mean, law.surface.cut_off, rounding);
     }
     ++(l1 > 1e-9 ? (l2 > 1e-9 ? edge : cone_only) : (l2 > 1e-9 ? cut_only : untouched));
 
@@ -375,10 +375,11 @@ TEST(DruckerPrager, PlaneStrainConeIsMohrCoulombInFlow) {
   soil.cone = Cone::inscribed;
   const auto weak = DruckerPragerUpdate::from(soil, of);
   tau = {-100e3, -100e3, -100e3, 0.0};
-  const Real sin_flow = weak.q_psi / std::sqrt(1.0 - weak.q_psi * weak.q_psi / 3.0);
+  const Real q_psi = weak.surface.bulk_q_psi / weak.moduli.bulk;
+  const Real sin_flow = q_psi / std::sqrt(1.0 - q_psi * q_psi / 3.0);
   const Mat<2> weak_rate = {{{0.5 * (sin_flow + 1.0), 0.0}, {0.0, 0.5 * (sin_flow - 1.0)}}};
   for (int step = 0; step < 20000; ++step) update_stress<2>(tau, weak_rate, 1e-5, of, weak);
   EXPECT_NEAR(0.5 * (tau[0] - tau[1]),
-              (weak.k_phi - weak.q_phi * 0.5 * (tau[0] + tau[1])) / std::sqrt(8.0 / 9.0),
+              (weak.surface.k - weak.surface.q * 0.5 * (tau[0] + tau[1])) / std::sqrt(8.0 / 9.0),
               1e-10 * 100e3);
 }

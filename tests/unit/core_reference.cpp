@@ -148,10 +148,17 @@ template <int Dim, class Shape, class Plain = Shape> void check_all_passes(bool 
     law.friction_angle = 30.0;
     const ElasticModuli moduli = {2.0, 1.0};
     const auto update = DruckerPragerUpdate::from(law, moduli);
-    for (const std::uint8_t material : {std::uint8_t{0}, std::uint8_t{1}}) {
-      stress_pass<Dim>(*fast, material, moduli, update, material == 1, 0.01);
-      reference::stress_pass<Dim>(*plain, material, moduli, update, material == 1, 0.01);
-    }
+    law.residual = {.friction_angle = 20.0, .residual_strain = 0.5};
+    law.rate_strengthening = 1.0;
+    law.grain_diameter = 0.1;
+    const auto evolving = EvolvingStrengthUpdate::from(law, moduli, 1.0);
+    const auto stress = [&](std::uint8_t material, const auto& of_material) {
+      stress_pass<Dim>(*fast, material, moduli, of_material, material == 1, 0.01);
+      reference::stress_pass<Dim>(*plain, material, moduli, of_material, material == 1, 0.01);
+    };
+    stress(0, update);
+    stress(1, update);
+    stress(1, evolving);
     expect_same(*fast, *plain, false);
 
     fast->nodal.remapped = plain->nodal.remapped = true;

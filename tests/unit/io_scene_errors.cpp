@@ -264,6 +264,26 @@ const Case cases[] = {
      "friction_angle_deg = 25",
      "friction_angle_deg = 25\ndilation_angle_deg = 30",
      {"22:22: material.soil.dilation_angle_deg: is 30; must be at most the friction angle, 25"}},
+    {"ResidualWithoutStrain",
+     "friction_angle_deg = 25",
+     "friction_angle_deg = 25\nresidual_friction_angle_deg = 20",
+     {"22:31: material.soil.residual_friction_angle_deg: has no effect without "
+      "residual_plastic_strain, the strain at which it holds"}},
+    {"ResidualBeforePeak",
+     "friction_angle_deg = 25",
+     "friction_angle_deg = 25\nresidual_plastic_strain = 0.1\npeak_plastic_strain = 0.2",
+     {"22:27: material.soil.residual_plastic_strain: is 0.1; must be above peak_plastic_strain, "
+      "0.2"}},
+    {"ResidualDilationAboveFriction",
+     "friction_angle_deg = 25",
+     "friction_angle_deg = 25\nresidual_plastic_strain = 0.1\nresidual_dilation_angle_deg = 26",
+     {"23:31: material.soil.residual_dilation_angle_deg: leaves a residual dilation angle of 26 "
+      "and a residual friction angle of 25; dilation must be at most friction"}},
+    {"RateWithoutGrains",
+     "friction_angle_deg = 25",
+     "friction_angle_deg = 25\nrate_strengthening = 1",
+     {"22:22: material.soil.rate_strengthening: has no effect without grain_diameter_m, the "
+      "diameter of the grains"}},
     {"NotAName",
      "name = \"soil\"",
      "name = \"1 soil\"",

@@ -85,7 +85,9 @@ const Case cases[] = {
      {"study.toml:8:8: parameter.cohesion_kPa.keys: material.soil.cohesion: is unknown; must be "
       "one of 'name', 'law', 'density_kg_m3', 'poissons_ratio', 'youngs_modulus_Pa', "
       "'bulk_modulus_Pa', 'cohesion_Pa', 'friction_angle_deg', 'dilation_angle_deg', 'cone', "
-      "'tension_cutoff_Pa' and 'opening' (did you mean 'cohesion_Pa'?)"}},
+      "'tension_cutoff_Pa', 'opening', 'residual_plastic_strain', 'peak_plastic_strain', "
+      "'residual_cohesion_Pa', 'residual_friction_angle_deg', 'residual_dilation_angle_deg', "
+      "'rate_strengthening' and 'grain_diameter_m' (did you mean 'cohesion_Pa'?)"}},
     {"UnknownMaterialOfTheScene",
      "soil.cohesion_Pa",
      "siol.cohesion_Pa",
