@@ -20,6 +20,10 @@
 // unloaded material, 1/phi - 1 (`room`; the density criterion of Dunatunga & Kamrin 2015,
 // doi 10.1017/jfm.2015.383, as a bound from the grid's own density).
 //
+// On the common edge of cone and cut-off the cone's multiplier is (tau_trial - tau)/G, and what
+// then is left of the strain opens.  That of the cone alone is larger, and its dilation would take
+// a part of every opening for good: a point without shear that opens and closes would dilate.
+//
 // Wu et al. 2017, doi 10.16030/j.cnki.issn.1000-3665.2017.06.19; de Souza Neto, Peric & Owen 2008,
 // Computational Methods for Plasticity, ch. 8, for the return to smooth cone and apex.
 #pragma once
@@ -152,12 +156,11 @@ return_to(const YieldSurface<Value>& surface, const ReturnModuli& moduli, SymTen
 
   const T tau_trial = sqrt(J2);
   const T mean_open = mean_trial + bulk * gap;
+  // Of the cone alone.
   const T multiplier =
-      max(tau_trial - strength, T(0.0F)) * rate.inv_hardness(inv_hardness, mean_trial);
+      max(tau_trial - (k - q * mean_open), T(0.0F)) * rate.inv_hardness(inv_hardness, mean_open);
   const T mean_cone = mean_open - bulk_q_psi * multiplier;
   const T mean = min(mean_cone, T(cut_off));
-  const T opening = (mean_cone - mean) * inv_bulk;
-  gap = min(opening, room);
   const T tau = max(rate.shear_stress(tau_trial, T(k - q * mean), mean), T(0.0F));
   constexpr auto least = std::numeric_limits<typename NumberIn<T>::type>::min();
   const T scale = tau / max(tau_trial, T(least)); // 0/0 is 0: s is 0
@@ -166,6 +169,9 @@ return_to(const YieldSurface<Value>& surface, const ReturnModuli& moduli, SymTen
 
   // e_p = (s_trial - s) / 2G, so sqrt(2/3 e_p:e_p) = (tau_trial - tau) / (sqrt(3) G).
   const T slip = (tau_trial - tau) * number<T>(moduli.inv_shear);
+  const T beyond = max((mean_open - mean - bulk_q_psi * slip) * inv_bulk, T(0.0F));
+  const T opening = choose(mean_cone > cut_off, beyond, T(0.0F));
+  gap = min(opening, room);
   constexpr Real inv_sqrt3 = 0.57735026918962576451;
   return {true, slip * number<T>(inv_sqrt3),
           tau * slip + mean * ((mean_open - mean) * inv_bulk - gap), opening - gap};

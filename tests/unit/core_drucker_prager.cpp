@@ -233,6 +233,27 @@ TEST(DruckerPrager, EdgeOfConeAndCutOff) {
   EXPECT_NEAR(step.dissipation, 0.75 + 0.5 / 3.0, 1e-14);
 }
 
+/// What opens without shear, and a dilation angle: all of it is gap, and it closes without
+/// pressure.
+TEST(DruckerPrager, OpeningWithoutShearDoesNotDilate) {
+  const DruckerPragerUpdate law = law_of(0.5, 0.0, 0.5, infinity); // the apex is at 0
+  Real gap = 0.0;
+  SymTensor<2> stress = {};
+  const auto strain = [&](Real e) {
+    for (std::size_t i = 0; i < 3; ++i) stress[i] += moduli.bulk * e;
+    return law.operator()<2, Real>(stress, gap, infinity);
+  };
+  const PlasticStep<> opened = strain(0.1);
+  EXPECT_NEAR(gap, 0.1, 1e-15);
+  EXPECT_EQ(opened.strain, 0.0);
+  strain(-0.06);
+  EXPECT_NEAR(gap, 0.04, 1e-15);
+  EXPECT_NEAR(stress[0], 0.0, 1e-15);
+  strain(-0.05);
+  EXPECT_NEAR(gap, 0.0, 1e-15);
+  EXPECT_NEAR(stress[0], -0.01 * moduli.bulk, 1e-14);
+}
+
 /// With dilation the return to the cone alone may end below the cut-off: then the cut-off rests.
 /// q_psi = 0.5, trial sigma_m = 0.6, tau = 3.7 (f = 3.7 + 0.3 - 1 = 3):
 /// lambda = 3 / (2 + 0.75) = 12/11, sigma_m = 0.6 - 1.5 * 12/11 = -11.4/11 < 0.5,
