@@ -14,6 +14,13 @@
 // there is one constraint a cell (B-bar, Hughes 1980, doi 10.1002/nme.1620150914, with the points
 // for a rule).  The power sum_p V0_p tau_p : d_p is then that of the force in which the mean stress
 // of every point is the cell's mean(p): again adjoint, again no energy from nothing.
+//
+// Volume.  The law adds up strains, so what it presses, opens and dilates together is log J: in a
+// step J grows by exp(y), y = dt tr d less what the law has forgotten.  With 1 + y instead every
+// step takes y^2/2 from log J, to and fro alike, and a point that springs gets smaller without end.
+// (2 + y)/(2 - y) is exp(y) but for y^3/12, odd in y, so that a swing there and back leaves
+// nothing. (The law itself stays with dt d: with it the force is adjoint, and no swing makes
+// energy.)
 #pragma once
 
 #include "core/evolving_strength.hpp"
@@ -188,15 +195,15 @@ template <int Dim, bool opens, class Law, class Shape>
     unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
       store(tau[i], points.tau[i]);
     });
-    Pack<T> growth = 1.0F + number<T>(dt) * rate;
+    Pack<T> grown = number<T>(dt) * rate; // log J
     if (plastic.happened) {
       if constexpr (opens) store(gap, points.gap);
       store(strain + plastic.strain, points.plastic_strain);
       store(load_lanes(&points.dissipation[row]) + plastic.dissipation, points.dissipation);
       // A gap that is not remembered is no volume of the material either: else it adds up for ever.
-      if (any_of(plastic.forgotten > 0.0F)) growth /= 1.0F + plastic.forgotten;
+      grown -= plastic.forgotten;
     }
-    store(load_lanes(&points.J[row]) * growth, points.J);
+    store(load_lanes(&points.J[row]) * ((2.0F + grown) / (2.0F - grown)), points.J);
   }
 }
 

@@ -55,7 +55,8 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       if (opens) points.gap[p] = gap;
       points.plastic_strain[p] += plastic.strain;
       points.dissipation[p] += plastic.dissipation;
-      points.J[p] *= (1.0 + dt * (divergence(p) + dilation)) / (1.0 + plastic.forgotten);
+      const Real grown = dt * (divergence(p) + dilation) - plastic.forgotten;
+      points.J[p] *= (2.0 + grown) / (2.0 - grown);
     }
   };
   for_each_tile(state, [&](std::size_t tile) { for_each_cell_of(state, tile, update_cell); });
