@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <variant>
 
 namespace scarp::apps {
 
@@ -42,7 +43,8 @@ bool finite(const std::vector<double>& values) {
 bool finite(const StressMoment& now) {
   const Energies& e = now.energies;
   return std::isfinite(e.scheme_loss + e.grid_kinetic) && finite(now.position) &&
-         finite(now.velocity) && finite(now.mean_stress) && finite(now.volume);
+         finite(now.velocity) && finite(now.mean_stress) && finite(now.volume) &&
+         finite(now.plastic_strain);
 }
 
 } // namespace
@@ -57,6 +59,22 @@ double StressLimits::stress(double largest_speed) const {
   return 2.0 * waves * impedance * largest_speed + stress_concentration * weight;
 }
 
+double StressLimits::horn(double initial_volume) const {
+  return std::sqrt(std::max(1.0, square / initial_volume));
+}
+
+double StressLimits::fastest_of(double initial_volume, double time, double energy) const {
+  const double whole = fastest(time);
+  const double alone = std::sqrt(2.0 * energy / (lightest * initial_volume));
+  return std::max(whole, std::min(horn(initial_volume) * whole, alone));
+}
+
+double StressLimits::stress_of(double initial_volume, double largest_speed, double energy) const {
+  const double whole = stress(largest_speed);
+  const double alone = std::sqrt(2.0 * stiffest * energy / initial_volume);
+  return std::max(whole, std::min(horn(initial_volume) * whole, alone));
+}
+
 StressLimits stress_limits(const Scene& scene) {
   StressLimits limits;
   const Grid& grid = scene.grid;
@@ -69,18 +87,22 @@ StressLimits stress_limits(const Scene& scene) {
     limits.potential += multiple * std::abs(scene.gravity[i]) * extent;
     limits.room *= extent;
   }
+  limits.square = std::pow(grid.cell_size / grid.points_per_cell, grid.dimension);
   double heaviest = 0.0;
-  double lightest = std::numeric_limits<double>::infinity();
-  limits.bulk = lightest;
+  limits.lightest = limits.bulk = std::numeric_limits<double>::infinity();
   for (const Material& material : scene.materials) {
     const auto moduli = ElasticModuli::from(material.youngs_modulus, material.poissons_ratio);
     heaviest = std::max(heaviest, material.density);
-    lightest = std::min(lightest, material.density);
+    limits.lightest = std::min(limits.lightest, material.density);
     limits.impedance = std::max(limits.impedance, std::sqrt(moduli.p_wave() * material.density));
     limits.bulk = std::min(limits.bulk, moduli.bulk);
+    limits.stiffest = std::max(limits.stiffest, moduli.bulk);
+    if (const auto* law = std::get_if<DruckerPrager>(&material.law))
+      limits.dilation =
+          std::max(limits.dilation, std::sqrt(3.0) * DruckerPragerUpdate::from(*law, moduli).q_psi);
     limits.waves = std::max(limits.waves, grid.dimension * moduli.bulk / moduli.p_wave());
   }
-  limits.density_ratio = heaviest / lightest;
+  limits.density_ratio = heaviest / limits.lightest;
 
   const double far = std::numeric_limits<double>::infinity();
   std::array<double, 3> lower = {far, far, far};
@@ -118,7 +140,8 @@ StressMoment stress_moment(const Simulation& simulation) {
           .velocity = simulation.field("velocity"),
           .mean_stress = simulation.field("mean_stress"),
           .volume = simulation.field("volume"),
-          .initial_volume = simulation.field("initial_volume")};
+          .initial_volume = simulation.field("initial_volume"),
+          .plastic_strain = simulation.field("equivalent_plastic_strain")};
 }
 
 std::optional<StressFailure> StressChecks::at_most(const std::string& check, double value,
@@ -132,12 +155,46 @@ std::optional<StressFailure> StressChecks::at_most(const std::string& check, dou
   return StressFailure{check, value, bound, now.time, point, what};
 }
 
+void StressChecks::put_in(const StressMoment& now) {
+  if (first_kinetic_ < 0.0) first_kinetic_ = now.energies.kinetic;
+  put_in_ = std::max(put_in_, first_kinetic_ + now.energies.gravity_work);
+}
+
+std::optional<StressFailure> StressChecks::check_speed(const StressMoment& now) {
+  const double energy = (1.0 + energy_fraction) * put_in_;
+  for (std::size_t p = 0; p < now.volume.size(); ++p) {
+    const double speed = norm(&now.velocity[3 * p]), V0 = now.initial_volume[p];
+    if (auto failure = at_most("speed", speed, limits_.fastest_of(V0, now.time, energy), now, p,
+                               "m/s, of a point"))
+      return failure;
+    largest_speed_ = std::max(largest_speed_, speed / limits_.horn(V0));
+  }
+  return std::nullopt;
+}
+
+std::optional<StressFailure> StressChecks::check_points(const StressMoment& now) {
+  const double energy = (1.0 + energy_fraction) * put_in_;
+  for (std::size_t p = 0; p < now.volume.size(); ++p) {
+    const double V0 = now.initial_volume[p], J = now.volume[p] / V0;
+    const double stress = limits_.stress_of(V0, largest_speed_, energy);
+    if (auto failure = at_most("stress", J * std::abs(now.mean_stress[p]), stress, now, p,
+                               "Pa, size of a point's mean Kirchhoff stress"))
+      return failure;
+    const double undilated = now.volume[p] * std::exp(-limits_.dilation * now.plastic_strain[p]);
+    if (auto failure = at_most("volume", undilated, limits_.room, now, p,
+                               "m3, or m2 in plane strain, of a point but for its dilation"))
+      return failure;
+    if (auto failure = at_most("volume", 0.5 * std::exp(-stress / limits_.bulk), J, now, p,
+                               "-, the smallest V/V0 explained; the bound is a point's"))
+      return failure;
+  }
+  return std::nullopt;
+}
+
 std::optional<StressFailure> StressChecks::check_energy(const StressMoment& now) {
   const Energies& energies = now.energies;
   // Of sums of that size, where P is 0 at first.
   const double rounding = 1e-12 * (energies.kinetic + energies.strain);
-  if (first_kinetic_ < 0.0) first_kinetic_ = energies.kinetic;
-  put_in_ = std::max(put_in_, first_kinetic_ + energies.gravity_work);
   for (const double loss : {energies.damping, energies.wall_friction, energies.plastic})
     if (auto failure = at_most("losses", -loss, energy_fraction * put_in_ + rounding, now, 0,
                                "J, given by damping, friction or plastic flow"))
@@ -164,29 +221,9 @@ std::optional<StressFailure> StressChecks::look(const StressMoment& now) {
   if (auto failure =
           at_most("steps", static_cast<double>(now.steps), limits_.steps, now, 0, "steps"))
     return failure;
-  const std::size_t points = now.volume.size();
-  std::vector<double> speed(points);
-  for (std::size_t p = 0; p < points; ++p) speed[p] = norm(&now.velocity[3 * p]);
-  const auto fastest = static_cast<std::size_t>(std::ranges::max_element(speed) - speed.begin());
-  if (auto failure = at_most("speed", speed[fastest], limits_.fastest(now.time), now, fastest,
-                             "m/s, of a point"))
-    return failure;
-  largest_speed_ = std::max(largest_speed_, speed[fastest]);
-
-  const double stress = limits_.stress(largest_speed_);
-  const double smallest_ratio = 0.5 * std::exp(-stress / limits_.bulk);
-  for (std::size_t p = 0; p < points; ++p) {
-    const double J = now.volume[p] / now.initial_volume[p];
-    if (auto failure = at_most("stress", J * std::abs(now.mean_stress[p]), stress, now, p,
-                               "Pa, size of a point's mean Kirchhoff stress"))
-      return failure;
-    if (auto failure = at_most("volume", now.volume[p], limits_.room, now, p,
-                               "m3, or m2 in plane strain, of a point"))
-      return failure;
-    if (auto failure = at_most("volume", smallest_ratio, J, now, p,
-                               "-, the smallest V/V0 explained; the bound is a point's"))
-      return failure;
-  }
+  put_in(now);
+  if (auto failure = check_speed(now)) return failure;
+  if (auto failure = check_points(now)) return failure;
   return check_energy(now);
 }
 
@@ -194,7 +231,8 @@ std::optional<StressFailure> explain(const RunError& error, const Scene& scene,
                                      const StressMoment& last) {
   const std::size_t p = error.point();
   const double speed = norm(&last.velocity[3 * p]);
-  const double bound = stress_limits(scene).fastest(last.time);
+  const double bound = stress_limits(scene).fastest_of(last.initial_volume[p], last.time,
+                                                       std::numeric_limits<double>::infinity());
   const Grid& grid = scene.grid;
   bool at_free_side = false;
   for (std::size_t i = 0; i < 3; ++i) {

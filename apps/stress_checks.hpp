@@ -33,9 +33,20 @@
 //           point crosses a cell.  sigma_m is the mean Kirchhoff stress, tau = J sigma, which the
 //           force holds with a fixed weight.
 //
-// volume    A point is not larger than the grid.  It is not smaller than the stress bound presses
-//           it: log J = tau_m/K where nothing opens or dilates, both of which only add to J; so
-//           J >= exp(- bound/K)/2, where 1/2 is for the second order of the steps' products.
+// cut       These two are those of a wave as wide as a square of the lattice, the least that points
+//           resolve.  A square that the body's outline cuts to the part a of its volume is the tip
+//           of a horn: along one the power of a wave, A sigma v, stays, so that v and sigma = rho c
+//           v grow as 1/sqrt(A).  Its speed and stress may be 1/sqrt(a) times as large; but never
+//           so large that it alone has more energy than there is: rho V0 v^2/2 and V0 sigma_m^2/2K
+//           are at most (1 + energy_fraction) P.  v_max is then v sqrt(a).
+//
+// volume    log J = tau_m/K + gap + sqrt(3) q_psi e_p, with the equivalent plastic strain e_p: what
+// is
+//           pressed, open and dilated (core/stress_pass.hpp).  A dilation angle has no end: a point
+//           that shears for ever, to and fro, dilates for ever, and only pressure answers.  But for
+//           that part, exp(sqrt(3) q_psi e_p), a point is not larger than the grid.  It is not
+//           smaller than the stress bound presses it, since the others only add to J; so J >= exp(-
+//           bound/K)/2, where 1/2 is for the higher orders of the steps' products.
 //
 // steps     The stable step is that of waves and of the fastest point (core/time_step.hpp), so a
 //           run does not take more steps than c, the speed bound and b allow.
@@ -73,10 +84,20 @@ struct StressLimits {
   double weight = 0.0;        ///< max(rho) b L, Pa
   double bulk = 0.0;          ///< the smallest K, Pa
   double room = 0.0;          ///< of the grid, m3 (m2 in plane strain)
+  double square = 0.0;        ///< of the lattice, whole: the same
+  double stiffest = 0.0;      ///< the largest K, Pa
+  double lightest = 0.0;      ///< the smallest density, kg/m3
+  double dilation = 0.0;      ///< sqrt(3) q_psi, the largest
   double steps = 0.0;         ///< the most that the run may take
 
   double fastest(double time) const;         ///< m/s, of a point
   double stress(double largest_speed) const; ///< Pa
+
+  /// How many times the speed and the stress of a whole square a cut one may have, 1/sqrt(a).
+  double horn(double initial_volume) const;
+  /// The same bounds for a cut square; `energy`: all there is, J (J/m in plane strain).
+  double fastest_of(double initial_volume, double time, double energy) const;
+  double stress_of(double initial_volume, double largest_speed, double energy) const;
 };
 StressLimits stress_limits(const Scene& scene);
 
@@ -90,6 +111,7 @@ struct StressMoment {
   std::vector<double> mean_stress;    ///< Pa, Cauchy
   std::vector<double> volume;         ///< m3 (m2 in plane strain)
   std::vector<double> initial_volume; ///< the same
+  std::vector<double> plastic_strain; ///< -, e_p
 };
 StressMoment stress_moment(const Simulation& simulation);
 
@@ -114,6 +136,9 @@ class StressChecks {
   const std::map<std::string, double>& nearest() const { return nearest_; }
 
  private:
+  void put_in(const StressMoment& now);
+  std::optional<StressFailure> check_speed(const StressMoment& now);
+  std::optional<StressFailure> check_points(const StressMoment& now);
   std::optional<StressFailure> check_energy(const StressMoment& now);
   std::optional<StressFailure> at_most(const std::string& check, double value, double bound,
                                        const StressMoment& now, std::size_t point,
@@ -126,7 +151,7 @@ class StressChecks {
   std::size_t still_ = 0;     ///< looks since it was above 1e-3 of its peak
   std::deque<double> losses_; ///< J, scheme_loss at the last looks
   std::optional<double> loss_at_rest_;
-  double largest_speed_ = 0.0; ///< m/s
+  double largest_speed_ = 0.0; ///< m/s, v_max
   std::map<std::string, double> nearest_;
 };
 
