@@ -16,9 +16,10 @@
 //   sigma_m = min(K (e + gap), sigma_t),  gap = max(0, e + gap - sigma_t/K),
 // with e the elastic volumetric strain: the gap has to close before there is pressure.  It is
 // non-linear elasticity, so it makes no energy.  Since the strain that a point adds up drifts from
-// the room there is, the gap is at most that room: with the part phi of the space filled by
-// unloaded material, 1/phi - 1 (`room`; the density criterion of Dunatunga & Kamrin 2015,
-// doi 10.1017/jfm.2015.383, as a bound from the grid's own density).
+// the room there is, the gap is at most that room (`room`; the density criterion of Dunatunga &
+// Kamrin 2015, doi 10.1017/jfm.2015.383, as a bound from the grid's own density): where unloaded
+// material fills the part phi of the space, it is 1/phi times as large when it touches, and as a
+// strain that adds up the gap is the logarithm of that, ln(1/phi).
 //
 // On the common edge of cone and cut-off the cone's multiplier is (tau_trial - tau)/G, and what
 // then is left of the strain opens.  That of the cone alone is larger, and its dilation would take

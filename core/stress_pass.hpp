@@ -151,6 +151,19 @@ mean_rate_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& 
   return sum / weight;
 }
 
+/// Keeps the gaps of a rank within their room, ln(1/fraction); the law has taken 1/fraction - 1 for
+/// it.  Few need the logarithm: it is not less than 2 (1 - fraction)/(1 + fraction).
+template <int Dim, class T>
+[[gnu::always_inline]] inline void bound_gap(PlasticStep<T>& plastic, T& gap, const T& fraction,
+                                             const SymTensor<Dim, T>& tau) {
+  if (!any_of(gap > max(2.0F * (1.0F - fraction) / (1.0F + fraction), T(0.0F)))) return;
+  const T room = max(-log(fraction), T(0.0F));
+  const T beyond = max(gap - room, T(0.0F));
+  gap -= beyond;
+  plastic.forgotten += beyond;
+  plastic.dissipation += trace<Dim, T>(tau) * number<T>(1.0 / 3.0) * beyond;
+}
+
 /// The points of one material, which remembers gaps if it `opens`, in one tile.
 template <int Dim, bool opens, class Law, class Shape>
 [[gnu::hot]] void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
@@ -184,14 +197,17 @@ template <int Dim, bool opens, class Law, class Shape>
       tau[i] = load_lanes(&points.tau[i][row]);
     });
     Pack<T> gap = T(0), room = T(0);
+    [[maybe_unused]] Pack<T> fraction = T(1);
     if constexpr (opens) {
       gap = load_lanes(&points.gap[row]);
-      room = max(1.0F / interpolate(along.w, tile.at_nodes(state.nodal.nodes.fraction)) - 1.0F,
-                 Pack<T>(T(0)));
+      fraction = interpolate(along.w, tile.at_nodes(state.nodal.nodes.fraction));
+      room = max(1.0F / fraction - 1.0F, Pack<T>(T(0))); // >= ln(1/fraction)
     }
     const Pack<T> strain = load_lanes(&points.plastic_strain[row]);
-    const PlasticStep<Pack<T>> plastic = update_stress<Dim, Pack<T>>(
+    PlasticStep<Pack<T>> plastic = update_stress<Dim, Pack<T>>(
         tau, gap, room, grad_v, dilation, dt, moduli, law_in_step<Pack<T>>(law, strain, dt));
+    if constexpr (opens)
+      if (plastic.happened) bound_gap<Dim>(plastic, gap, fraction, tau);
     unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
       store(tau[i], points.tau[i]);
     });

@@ -3,6 +3,8 @@
 
 #include "core/stress_pass.hpp"
 
+#include <cmath>
+
 namespace scarp::reference {
 
 /// grad v = sum_I v_I (x) grad N_I.
@@ -43,7 +45,7 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       const Real dilation = state.averages_volume ? mean_rate - divergence(p) : 0.0;
       Real gap = 0.0, room = 0.0;
       if (opens) {
-        room = std::max(1.0 / interpolated(state.nodal.nodes.fraction) - 1.0, 0.0);
+        room = std::max(-std::log(interpolated(state.nodal.nodes.fraction)), 0.0);
         gap = points.gap[p];
       }
       SymTensor<Dim> tau;

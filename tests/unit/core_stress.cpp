@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace scarp;
@@ -38,6 +39,23 @@ double spin_of(double angle) { return 2.0 * std::tan(0.5 * angle); }
 constexpr ElasticModuli moduli = {5.0, 3.0};
 
 } // namespace
+
+/// A gap is at most ln(1/fraction), and what is more is forgotten, work at the cut-off included.
+TEST(Gap, IsNoMoreThanItsRoom) {
+  using Lanes = Pack<double>;
+  const SymTensor<2, Lanes> tau = {Lanes(2.0), Lanes(2.0), Lanes(2.0), Lanes(0.0)};
+  for (const double fraction : {0.01, 0.5, 0.9, 1.0, 1.2}) {
+    const double room = std::max(-std::log(fraction), 0.0);
+    for (const double before : {0.5 * room, room + 0.3}) {
+      PlasticStep<Lanes> plastic;
+      Lanes gap = before;
+      bound_gap<2>(plastic, gap, Lanes(fraction), tau);
+      EXPECT_NEAR(gap[0], std::min(before, room), 1e-15) << fraction;
+      EXPECT_NEAR(plastic.forgotten[0], std::max(before - room, 0.0), 1e-15) << fraction;
+      EXPECT_NEAR(plastic.dissipation[0], 2.0 * std::max(before - room, 0.0), 1e-15) << fraction;
+    }
+  }
+}
 
 TEST(Rotate, KeepsInvariants2d) {
   Random random(11);
