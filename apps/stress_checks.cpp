@@ -63,10 +63,14 @@ double StressLimits::horn(double initial_volume) const {
   return std::sqrt(std::max(1.0, square / initial_volume));
 }
 
+double StressLimits::impact(double initial_volume) const {
+  return 2.0 / (1.0 + std::min(1.0, initial_volume / square));
+}
+
 double StressLimits::fastest_of(double initial_volume, double time, double energy) const {
   const double whole = fastest(time);
   const double alone = std::sqrt(2.0 * energy / (lightest * initial_volume));
-  return std::max(whole, std::min(horn(initial_volume) * whole, alone));
+  return std::max(whole, std::min(impact(initial_volume) * whole, alone));
 }
 
 double StressLimits::stress_of(double initial_volume, double largest_speed, double energy) const {
@@ -98,8 +102,8 @@ StressLimits stress_limits(const Scene& scene) {
     limits.bulk = std::min(limits.bulk, moduli.bulk);
     limits.stiffest = std::max(limits.stiffest, moduli.bulk);
     if (const auto* law = std::get_if<DruckerPrager>(&material.law))
-      limits.dilation =
-          std::max(limits.dilation, std::sqrt(3.0) * DruckerPragerUpdate::from(*law, moduli).q_psi);
+      limits.dilation = std::max(limits.dilation,
+                                 std::sqrt(3.0) * cone_of(law->cone, law->dilation_angle, 0.0)[0]);
     limits.waves = std::max(limits.waves, grid.dimension * moduli.bulk / moduli.p_wave());
   }
   limits.density_ratio = heaviest / limits.lightest;
@@ -167,7 +171,7 @@ std::optional<StressFailure> StressChecks::check_speed(const StressMoment& now) 
     if (auto failure = at_most("speed", speed, limits_.fastest_of(V0, now.time, energy), now, p,
                                "m/s, of a point"))
       return failure;
-    largest_speed_ = std::max(largest_speed_, speed / limits_.horn(V0));
+    largest_speed_ = std::max(largest_speed_, speed / limits_.impact(V0));
   }
   return std::nullopt;
 }

@@ -34,19 +34,20 @@
 //           force holds with a fixed weight.
 //
 // cut       These two are those of a wave as wide as a square of the lattice, the least that points
-//           resolve.  A square that the body's outline cuts to the part a of its volume is the tip
-//           of a horn: along one the power of a wave, A sigma v, stays, so that v and sigma = rho c
-//           v grow as 1/sqrt(A).  Its speed and stress may be 1/sqrt(a) times as large; but never
-//           so large that it alone has more energy than there is: rho V0 v^2/2 and V0 sigma_m^2/2K
-//           are at most (1 + energy_fraction) P.  v_max is then v sqrt(a).
+//           resolve.  A square that the body's outline cuts to the part a of its volume: struck by
+//           a whole one of speed v it leaves with 2 v/(1 + a) (momentum and energy of two bodies).
+//           Pressed between them it is the tip of a horn: along one the power of a wave,
+//           A sigma v, stays, so that sigma = rho c v grows as 1/sqrt(A).  Its speed may be
+//           2/(1 + a), its stress 1/sqrt(a) times as large; but never so large that it alone has
+//           more energy than there is: rho V0 v^2/2 and V0 sigma_m^2/2K are at most
+//           (1 + energy_fraction) P.  v_max is then v (1 + a)/2.
 //
 // volume    log J = tau_m/K + gap + sqrt(3) q_psi e_p, with the equivalent plastic strain e_p: what
-// is
-//           pressed, open and dilated (core/stress_pass.hpp).  A dilation angle has no end: a point
-//           that shears for ever, to and fro, dilates for ever, and only pressure answers.  But for
-//           that part, exp(sqrt(3) q_psi e_p), a point is not larger than the grid.  It is not
-//           smaller than the stress bound presses it, since the others only add to J; so J >= exp(-
-//           bound/K)/2, where 1/2 is for the higher orders of the steps' products.
+//           is pressed, open and dilated (core/stress_pass.hpp).  A dilation angle has no end: a
+//           point that shears for ever, to and fro, dilates for ever, and only pressure answers.
+//           But for that part, exp(sqrt(3) q_psi e_p), a point is not larger than the grid.  It is
+//           not smaller than the stress bound presses it, since the others only add to J; so J >=
+//           exp(- bound/K)/2, where 1/2 is for the higher orders of the steps' products.
 //
 // steps     The stable step is that of waves and of the fastest point (core/time_step.hpp), so a
 //           run does not take more steps than c, the speed bound and b allow.
@@ -93,8 +94,10 @@ struct StressLimits {
   double fastest(double time) const;         ///< m/s, of a point
   double stress(double largest_speed) const; ///< Pa
 
-  /// How many times the speed and the stress of a whole square a cut one may have, 1/sqrt(a).
+  /// How many times the stress of a whole square a cut one may have, 1/sqrt(a).
   double horn(double initial_volume) const;
+  /// The same for the speed, 2/(1 + a).
+  double impact(double initial_volume) const;
   /// The same bounds for a cut square; `energy`: all there is, J (J/m in plane strain).
   double fastest_of(double initial_volume, double time, double energy) const;
   double stress_of(double initial_volume, double largest_speed, double energy) const;
