@@ -62,6 +62,9 @@ void draw_model(const fs::path& file, const io::Frame& first, const Scene& scene
   if (const auto* law = std::get_if<DruckerPrager>(&rods.law))
     style.notes.push_back(fmt::format("friction angle {:.1f}\u00b0, cohesion {:.3g} Pa",
                                       law->friction_angle, law->cohesion));
+  if (const auto* law = std::get_if<DruckerPrager>(&rods.law); law && law->rate_strengthening > 0)
+    style.notes.push_back(fmt::format("shear over mean stress grows by {:.3g} I, rods of {:.3g} mm",
+                                      law->rate_strengthening, 1e3 * law->grain_diameter));
   render::write_png(file, render::render_model(first, style));
 }
 

@@ -2,9 +2,11 @@
 #include "tests/end_to_end/program.hpp"
 
 #include "io/series.hpp"
+#include "io/table.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace scarp::test {
@@ -57,6 +59,19 @@ TEST_F(Reproduce, Bui2008IsNearTheExperiment) {
     EXPECT_GE(size.height, 200U) << picture;
   }
   EXPECT_EQ(png_size(*this / "out/frame_last.png"), (Size{1920, 1080}));
+}
+
+/// What resists the more the faster it is sheared falls less fast.
+TEST_F(Reproduce, Bui2008WithRateHasLessKineticEnergy) {
+  const auto peak = [&](const std::string& model) {
+    expect_success(
+        scarp({"reproduce", "bui2008", "--cell", "0.01", "--model", model, "--out", model}));
+    const auto summary = nlohmann::json::parse(content(*this / model / "summary.json"));
+    EXPECT_EQ(summary.at("model"), model);
+    const io::Table history = io::read_table(*this / model / "history.csv");
+    return std::ranges::max(history.column("kinetic_J_per_m"));
+  };
+  EXPECT_LT(peak("inertial"), peak("published"));
 }
 
 TEST_F(Reproduce, RefusesCellsThatDoNotFillTheGrid) {
