@@ -206,7 +206,7 @@ void check_evolution(const std::string& key, const DruckerPrager& soil, SceneRep
       {"dilation_angle_deg", residual.dilation_angle}};
   for (const auto& [name, value] : values)
     if (given(value) && !given(residual.residual_strain) && report.usable({last}))
-      report.problem(key + ".residual_" + name,
+      report.problem(fmt::format("{}.residual_{}", key, name),
                      "has no effect without residual_plastic_strain, the strain at which it holds");
   if (report.usable({last, key + ".peak_plastic_strain"}) &&
       residual.peak_strain >= residual.residual_strain)
