@@ -59,12 +59,14 @@ void draw_model(const fs::path& file, const io::Frame& first, const Scene& scene
       fmt::format("density {:.0f} kg/m3", rods.density),
       fmt::format("Young's modulus {:.3g} MPa, Poisson's ratio {:.2g}", rods.youngs_modulus / 1e6,
                   rods.poissons_ratio)};
-  if (const auto* law = std::get_if<DruckerPrager>(&rods.law))
+  if (const auto* law = std::get_if<DruckerPrager>(&rods.law)) {
     style.notes.push_back(fmt::format("friction angle {:.1f}\u00b0, cohesion {:.3g} Pa",
                                       law->friction_angle, law->cohesion));
-  if (const auto* law = std::get_if<DruckerPrager>(&rods.law); law && law->rate_strengthening > 0)
-    style.notes.push_back(fmt::format("shear over mean stress grows by {:.3g} I, rods of {:.3g} mm",
-                                      law->rate_strengthening, 1e3 * law->grain_diameter));
+    if (law->rate_strengthening > 0)
+      style.notes.push_back(
+          fmt::format("shear over mean stress grows by {:.3g} I, rods of {:.3g} mm",
+                      law->rate_strengthening, 1e3 * law->grain_diameter));
+  }
   render::write_png(file, render::render_model(first, style));
 }
 

@@ -102,15 +102,18 @@ Material reduced(const Material& material, double factor) {
   Material weaker = material;
   if (auto* law = std::get_if<DruckerPrager>(&weaker.law)) {
     constexpr double degree = std::numbers::pi / 180.0;
-    const auto divide = [&](double& cohesion, double& friction_angle, double& dilation_angle) {
-      cohesion /= factor;
-      if (!std::isinf(friction_angle))
-        friction_angle = std::atan(std::tan(friction_angle * degree) / factor) / degree;
-      if (!std::isinf(dilation_angle)) dilation_angle = std::min(dilation_angle, friction_angle);
+    const auto divide = [factor](DruckerPrager& strength) {
+      strength.cohesion /= factor;
+      strength.friction_angle =
+          std::atan(std::tan(strength.friction_angle * degree) / factor) / degree;
+      strength.dilation_angle = std::min(strength.dilation_angle, strength.friction_angle);
     };
-    divide(law->cohesion, law->friction_angle, law->dilation_angle);
-    Softening& residual = law->residual;
-    divide(residual.cohesion, residual.friction_angle, residual.dilation_angle);
+    DruckerPrager last = law->at_residual();
+    divide(*law);
+    divide(last);
+    law->residual.cohesion = last.cohesion;
+    law->residual.friction_angle = last.friction_angle;
+    law->residual.dilation_angle = last.dilation_angle;
   }
   return weaker;
 }

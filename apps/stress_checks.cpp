@@ -165,11 +165,10 @@ void StressChecks::put_in(const StressMoment& now) {
 }
 
 std::optional<StressFailure> StressChecks::check_speed(const StressMoment& now) {
-  const double energy = (1.0 + energy_fraction) * put_in_;
   for (std::size_t p = 0; p < now.volume.size(); ++p) {
     const double speed = norm(&now.velocity[3 * p]), V0 = now.initial_volume[p];
-    if (auto failure = at_most("speed", speed, limits_.fastest_of(V0, now.time, energy), now, p,
-                               "m/s, of a point"))
+    if (auto failure = at_most("speed", speed, limits_.fastest_of(V0, now.time, available()), now,
+                               p, "m/s, of a point"))
       return failure;
     largest_speed_ = std::max(largest_speed_, speed / limits_.impact(V0));
   }
@@ -177,10 +176,9 @@ std::optional<StressFailure> StressChecks::check_speed(const StressMoment& now) 
 }
 
 std::optional<StressFailure> StressChecks::check_points(const StressMoment& now) {
-  const double energy = (1.0 + energy_fraction) * put_in_;
   for (std::size_t p = 0; p < now.volume.size(); ++p) {
     const double V0 = now.initial_volume[p], J = now.volume[p] / V0;
-    const double stress = limits_.stress_of(V0, largest_speed_, energy);
+    const double stress = limits_.stress_of(V0, largest_speed_, available());
     if (auto failure = at_most("stress", J * std::abs(now.mean_stress[p]), stress, now, p,
                                "Pa, size of a point's mean Kirchhoff stress"))
       return failure;

@@ -148,6 +148,8 @@ class StressChecks {
                                        const std::string& what);
 
   StressLimits limits_;
+  double available() const { return (1.0 + energy_fraction) * put_in_; } ///< J
+
   double put_in_ = 0.0;       ///< J, P
   double first_kinetic_ = -1; ///< J, T(0); negative: not yet known
   double peak_ = 0.0;         ///< J, of the nodes' kinetic energy

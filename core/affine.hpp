@@ -37,7 +37,7 @@ void add_affine_momentum(std::array<std::array<Real, Shape::nodes>, Dim>& mv,
                          const Particles<Dim>& points, const Shape& shape, const Vec<Dim>& xi,
                          const StencilCell<Dim>& cell, std::size_t p) {
   const AffineWeights<Dim, Shape> weights(shape, xi, cell);
-  const Real m = points.m[p];
+  const Real m = points.mass(p);
   for (std::size_t c = 0; c < Shape::nodes; ++c) {
     const auto k = Shape::places(c);
     for (std::size_t i = 0; i < Dim; ++i)

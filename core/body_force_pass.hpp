@@ -24,7 +24,7 @@ void body_force_pass(State<Dim, Shape>& state, const BodyForceField& field, Real
           for (std::size_t c = 0; c < shape.nodes; ++c)
             state.nodal.sums
                 .f[static_cast<std::size_t>(a)][c / Shape::width][cell.entry + c % Shape::width] +=
-                static_cast<typename Shape::Number>(points.m[p] * b[scene_axis<Dim>(a)] *
+                static_cast<typename Shape::Number>(points.mass(p) * b[scene_axis<Dim>(a)] *
                                                     shape.N[c]);
       }
     });

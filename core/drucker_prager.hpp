@@ -16,10 +16,10 @@
 //   sigma_m = min(K (e + gap), sigma_t),  gap = max(0, e + gap - sigma_t/K),
 // with e the elastic volumetric strain: the gap has to close before there is pressure.  It is
 // non-linear elasticity, so it makes no energy.  Since the strain that a point adds up drifts from
-// the room there is, the gap is at most that room (`room`; the density criterion of Dunatunga &
-// Kamrin 2015, doi 10.1017/jfm.2015.383, as a bound from the grid's own density): where unloaded
-// material fills the part phi of the space, it is 1/phi times as large when it touches, and as a
-// strain that adds up the gap is the logarithm of that, ln(1/phi).
+// the room there is, the gap is at most that room (`bound_gap` of core/stress_pass.hpp; the density
+// criterion of Dunatunga & Kamrin 2015, doi 10.1017/jfm.2015.383, as a bound from the grid's own
+// density): where unloaded material fills the part phi of the space, it is 1/phi times as large
+// when it touches, and as a strain that adds up the gap is the logarithm of that, ln(1/phi).
 //
 // On the common edge of cone and cut-off the cone's multiplier is (tau_trial - tau)/G, and what
 // then is left of the strain opens.  That of the cone alone is larger, and its dilation would take
@@ -99,6 +99,16 @@ inline std::array<Real, 2> cone_of(Cone cone, Real angle, Real cohesion) {
   return {6.0 * s / below, 6.0 * c / below * cohesion};
 }
 
+/// Slopes, and height in Pa, of cone and potential.
+struct Cones {
+  Real q, k, q_psi;
+
+  static Cones of(const DruckerPrager& law) {
+    const auto [q, k] = cone_of(law.cone, law.friction_angle, law.cohesion);
+    return {q, k, cone_of(law.cone, law.dilation_angle, 0.0)[0]};
+  }
+};
+
 /// Cone, potential and cut-off that a return needs; Value is a number, or a SIMD value where points
 /// differ.
 template <class Value> struct YieldSurface {
@@ -137,7 +147,8 @@ struct ReturnModuli {
 /// Free of branches but one, so that it works on SIMD values as well: a multiplier that would be
 /// negative is zero, and what lies inside both surfaces stays as it is, to the bit.  Where all
 /// points do, as most of a slope does most of the time, the return is skipped.
-/// `gap` is that before the step and is brought up to date; `room` is its upper bound.
+/// `gap` is that before the step and is brought up to date; `room` is its upper bound: 0 with
+/// Opening::forgotten.
 template <int Dim, class T, class Value, class Rate = RateIndependent>
 [[gnu::always_inline]] inline PlasticStep<T>
 return_to(const YieldSurface<Value>& surface, const ReturnModuli& moduli, SymTensor<Dim, T>& stress,
@@ -183,8 +194,7 @@ struct DruckerPragerUpdate {
   YieldSurface<Real> surface;
 
   static DruckerPragerUpdate from(const DruckerPrager& law, const ElasticModuli& moduli) {
-    const auto [q, k] = cone_of(law.cone, law.friction_angle, law.cohesion);
-    const Real q_psi = cone_of(law.cone, law.dilation_angle, 0.0)[0];
+    const auto [q, k, q_psi] = Cones::of(law);
     const Real apex = q > 0.0 ? k / q : std::numeric_limits<Real>::infinity();
     return {ReturnModuli(moduli),
             {q, k, std::min(law.tension_cutoff, apex), moduli.bulk * q_psi,

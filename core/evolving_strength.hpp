@@ -25,11 +25,6 @@
 namespace scarp {
 
 struct EvolvingStrengthUpdate {
-  /// Slopes, and height in Pa, of cone and potential.
-  struct Cones {
-    Real q, k, q_psi;
-  };
-
   ReturnModuli moduli;
   Real shear;       ///< Pa
   Real cut_off;     ///< Pa
@@ -42,21 +37,12 @@ struct EvolvingStrengthUpdate {
   /// density: kg/m3.
   static EvolvingStrengthUpdate from(const DruckerPrager& law, const ElasticModuli& moduli,
                                      Real density) {
-    const Softening& residual = law.residual;
-    const auto either = [](Real later, Real first) { return std::isinf(later) ? first : later; };
-    const auto cones = [&](Real friction_angle, Real cohesion, Real dilation_angle) -> Cones {
-      const auto [q, k] = cone_of(law.cone, friction_angle, cohesion);
-      return {q, k, cone_of(law.cone, dilation_angle, 0.0)[0]};
-    };
-    const Cones first = cones(law.friction_angle, law.cohesion, law.dilation_angle);
-    const Cones last = cones(either(residual.friction_angle, law.friction_angle),
-                             either(residual.cohesion, law.cohesion),
-                             either(residual.dilation_angle, law.dilation_angle));
+    const Cones first = Cones::of(law), last = Cones::of(law.at_residual());
     return {ReturnModuli(moduli),
             moduli.shear,
             law.tension_cutoff,
-            residual.peak_strain,
-            1.0 / (residual.residual_strain - residual.peak_strain),
+            law.residual.peak_strain,
+            1.0 / (law.residual.residual_strain - law.residual.peak_strain),
             first,
             {last.q - first.q, last.k - first.k, last.q_psi - first.q_psi},
             law.rate_strengthening * law.grain_diameter * std::sqrt(density)};

@@ -28,7 +28,7 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
     const std::array<Pack<T>, Dim> xi = tile.local_position(rank);
     const RankWeights<Dim, Shape> weights(xi, tile.stencil());
     const auto& w = weights.along.w;
-    const Pack<T> m = load_lanes(&points.m[row]);
+    const Pack<T> m = load_masses(points, row, load_lanes(&points.V0[row]));
     std::array<Pack<T>, Dim> m_v;
     Pack<T> v2 = T(0), v_grid2 = T(0);
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {

@@ -71,7 +71,7 @@ void add_point(Particles<Dim>& points, const Scene& scene, std::size_t region, s
     points.v[i].push_back(scene.regions[region].velocity[scene_axis<Dim>(a)]);
   }
   for (Column& column : points.tau) column.push_back(0.0);
-  points.m.push_back(volume * scene.materials[material].density);
+  if (points.density == 0.0) points.m.push_back(volume * scene.materials[material].density);
   points.V0.push_back(volume);
   points.J.push_back(1.0);
   points.gap.push_back(0.0);
@@ -91,6 +91,21 @@ std::size_t material_index(const Scene& scene, const Region& region, const std::
   return static_cast<std::size_t>(found - scene.materials.begin());
 }
 
+namespace {
+
+/// kg/m3, of all regions; or 0 if they differ.
+double common_density(const Scene& scene) {
+  double common = 0.0;
+  for (const Region& region : scene.regions) {
+    const double density = scene.materials[material_index(scene, region, region.material)].density;
+    if (common != 0.0 && common != density) return 0.0;
+    common = density;
+  }
+  return common;
+}
+
+} // namespace
+
 template <int Dim> Particles<Dim> fill_regions(const Scene& scene) {
   const Grid& grid = scene.grid;
   const double a = grid.cell_size / grid.points_per_cell; // side of a lattice square
@@ -104,6 +119,7 @@ template <int Dim> Particles<Dim> fill_regions(const Scene& scene) {
     throw SetupError("at most 255 regions and 255 materials");
 
   Particles<Dim> points;
+  points.density = common_density(scene);
   std::map<std::array<long, 3>, std::pair<double, std::size_t>>
       filled; // part taken, by which region
   const bool may_overlap = scene.regions.size() > 1;

@@ -78,7 +78,7 @@ std::vector<Vec<Dim>> Loads<Dim>::moments(const Particles<Dim, T>& points) const
     const std::size_t part = static_cast<std::size_t>(k), first = part * rows_of_part;
     for (std::size_t p = first; p < std::min(first + rows_of_part, rows); ++p)
       for (std::size_t i = 0; i < Dim; ++i)
-        of_parts[part * regions + points.region[p]][i] += points.m[p] * points.x[i][p];
+        of_parts[part * regions + points.region[p]][i] += points.mass(p) * points.x[i][p];
   }
   std::vector<Vec<Dim>> sums(regions);
   for (std::size_t k = 0; k < of_parts.size(); ++k)

@@ -33,7 +33,7 @@ template <int Dim, class T = Real> struct Particles {
   std::array<Column, tensor_size<Dim>> tau; ///< Pa, Kirchhoff stress (see core/stress_pass.hpp)
   /// 1/s, C[Dim i + j] = d v_i / d x_j around the point; empty unless transfers are affine
   std::array<Column, static_cast<std::size_t>(Dim) * Dim> C;
-  Column m;   ///< kg (per metre of depth in plane strain)
+  Column m;   ///< kg (per metre of depth in plane strain); empty if all have one `density`
   Column V0;  ///< m3 (m2 in plane strain), volume before loading
   Column J;   ///< -, volume / V0
   Column gap; ///< -, volumetric strain by which the point stands open; empty if it is forgotten
@@ -42,12 +42,14 @@ template <int Dim, class T = Real> struct Particles {
   ColumnOf<std::uint32_t> id;
   ColumnOf<std::uint8_t> material; ///< index into Scene::materials
   ColumnOf<std::uint8_t> region;   ///< index into Scene::regions
+  T density = 0;                   ///< kg/m3, before loading, of every point; if `m` is empty
 
   Particles() = default;
   /// The same points with numbers of another type.
   template <class U>
   requires(!std::is_same_v<T, U>) explicit Particles(const Particles<Dim, U>& other)
-      : x(other.x), id(other.id), material(other.material), region(other.region) {
+      : x(other.x), id(other.id), material(other.material), region(other.region),
+        density(static_cast<T>(other.density)) {
     const auto take = [](Column& column, const ColumnOf<U>& from) {
       column.assign(from.begin(), from.end());
     };
@@ -124,6 +126,8 @@ template <int Dim, class T = Real> struct Particles {
     });
   }
 
+  /// kg, of row p.
+  T mass(std::size_t p) const { return m.empty() ? density * V0[p] : m[p]; }
   Vec<Dim> position(std::size_t p) const { return at(x, p); }
   Vec<Dim, T> velocity(std::size_t p) const { return at(v, p); }
 
@@ -149,7 +153,7 @@ template <int Dim, class T = Real> struct Particles {
     for (auto& column : self.tau) visit(column);
     if (self.affine())
       for (auto& column : self.C) visit(column);
-    visit(self.m);
+    if (!self.m.empty()) visit(self.m);
     visit(self.V0);
     visit(self.J);
     if (!self.gap.empty()) visit(self.gap);

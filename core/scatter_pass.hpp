@@ -54,8 +54,8 @@ template <int Dim, bool affine, class Shape>
     const std::size_t row = rank.row;
     const std::array<Pack<T>, Dim> xi = tile.local_position(rank);
     const RankWeights<Dim, Shape> weights(xi, tile.stencil());
-    const Pack<T> m_p = load_lanes(&points.m[row]);
     const Pack<T> V0_p = load_lanes(&points.V0[row]);
+    const Pack<T> m_p = load_masses(points, row, V0_p);
     if (momentum) {
       std::array<Pack<T>, Dim> m_v;
       std::array<Pack<T>, static_cast<std::size_t>(Dim) * Dim> m_C;

@@ -1,8 +1,20 @@
 #include "core/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scarp {
+
+DruckerPrager DruckerPrager::at_residual() const {
+  DruckerPrager last = *this;
+  const auto put = [](double later, double& value) {
+    if (!std::isinf(later)) value = later;
+  };
+  put(residual.cohesion, last.cohesion);
+  put(residual.friction_angle, last.friction_angle);
+  put(residual.dilation_angle, last.dilation_angle);
+  return last;
+}
 
 double Ramp::at(double time) const {
   const auto after = std::ranges::find_if(points, [&](const auto& p) { return p[0] > time; });

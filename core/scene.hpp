@@ -78,6 +78,8 @@ struct DruckerPrager {
   double rate_strengthening = 0.0; ///< -, growth of the cone's slope with the inertial number
   double grain_diameter = 0.0;     ///< m, in the inertial number
 
+  /// The law of the residual state.
+  DruckerPrager at_residual() const;
   /// Whether strength depends on plastic strain or on rate.
   bool evolves() const {
     return residual.residual_strain < std::numeric_limits<double>::infinity() ||

@@ -11,7 +11,7 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
   points.for_each([&](std::size_t p) {
     Real v2 = 0.0;
     for (std::size_t i = 0; i < Dim; ++i) v2 += points.v[i][p] * points.v[i][p];
-    now.kinetic += 0.5 * points.m[p] * v2;
+    now.kinetic += 0.5 * points.mass(p) * v2;
     now.plastic += points.V0[p] * points.dissipation[p];
 
     // psi = sigma_m^2 / 2K + sigma_m gap + s:s / 4G; where there is a gap, sigma_m = sigma_t
@@ -99,7 +99,7 @@ std::vector<double> SimulationOf<Dim, Shape>::field(const std::string& name) con
   } else if (name == "equivalent_plastic_strain") {
     scalar([&](std::size_t p) { return points.plastic_strain[p]; });
   } else if (name == "density") {
-    scalar([&](std::size_t p) { return points.m[p] / (points.V0[p] * points.J[p]); });
+    scalar([&](std::size_t p) { return points.mass(p) / (points.V0[p] * points.J[p]); });
   } else if (name == "volume") {
     scalar([&](std::size_t p) { return points.V0[p] * points.J[p]; });
   } else if (name == "initial_volume") {

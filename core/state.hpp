@@ -66,6 +66,13 @@ void for_each_cell_of(const State<Dim, Shape>& state, std::size_t tile, Visit&& 
     if (const auto cell = state.order.cell(tile, lane); cell.count > 0) visit(cell);
 }
 
+/// kg, of the points of a rank with these volumes before loading.
+template <int Dim, class T>
+[[gnu::always_inline]] inline Pack<T> load_masses(const Particles<Dim, T>& points, std::size_t row,
+                                                  const std::type_identity_t<Pack<T>>& V0) {
+  return points.m.empty() ? points.density * V0 : load_lanes(&points.m[row]);
+}
+
 /// Where the lanes of a tile lie, and which of them have points.
 template <int Dim, class Shape> class TileLanes {
   using T = typename Shape::Number;

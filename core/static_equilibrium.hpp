@@ -166,7 +166,7 @@ template <int Dim, class Shape> class StaticEquilibrium {
         const Vec<Dim> b_p = b(p);
         for (std::size_t c = 0; c < Shape::nodes; ++c)
           for (std::size_t i = 0; i < Dim; ++i)
-            f[c][i] += state_.particles.m[p] * b_p[i] * shapes[k].N[c];
+            f[c][i] += state_.particles.mass(p) * b_p[i] * shapes[k].N[c];
       }
       add_to_unknowns(cell, f, loads_);
     }

@@ -26,6 +26,8 @@
 #include "core/evolving_strength.hpp"
 #include "core/state.hpp"
 
+#include <limits>
+
 namespace scarp {
 
 /// tau <- R tau R^T with the rotation of Hughes & Winget 1980 (doi 10.1002/nme.1620151210),
@@ -151,12 +153,13 @@ mean_rate_of_cells(const State<Dim, Shape>& state, const TileLanes<Dim, Shape>& 
   return sum / weight;
 }
 
-/// Keeps the gaps of a rank within their room, ln(1/fraction); the law has taken 1/fraction - 1 for
-/// it.  Few need the logarithm: it is not less than 2 (1 - fraction)/(1 + fraction).
+/// Keeps the gaps of a rank within their room, ln(1/fraction).  Few need the logarithm: it is not
+/// less than 2 (1 - fraction)/(1 + fraction).
 template <int Dim, class T>
-[[gnu::always_inline]] inline void bound_gap(PlasticStep<T>& plastic, T& gap, const T& fraction,
+[[gnu::always_inline]] inline void bound_gap(PlasticStep<T>& plastic, T& gap,
+                                             const std::type_identity_t<T>& fraction,
                                              const SymTensor<Dim, T>& tau) {
-  if (!any_of(gap > max(2.0F * (1.0F - fraction) / (1.0F + fraction), T(0.0F)))) return;
+  if (none_of(gap > 0.0F && gap * (1.0F + fraction) > 2.0F * (1.0F - fraction))) return;
   const T room = max(-log(fraction), T(0.0F));
   const T beyond = max(gap - room, T(0.0F));
   gap -= beyond;
@@ -196,18 +199,16 @@ template <int Dim, bool opens, class Law, class Shape>
     unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
       tau[i] = load_lanes(&points.tau[i][row]);
     });
-    Pack<T> gap = T(0), room = T(0);
-    [[maybe_unused]] Pack<T> fraction = T(1);
-    if constexpr (opens) {
-      gap = load_lanes(&points.gap[row]);
-      fraction = interpolate(along.w, tile.at_nodes(state.nodal.nodes.fraction));
-      room = max(1.0F / fraction - 1.0F, Pack<T>(T(0))); // >= ln(1/fraction)
-    }
+    Pack<T> gap = T(0);
+    if constexpr (opens) gap = load_lanes(&points.gap[row]);
+    const Pack<T> room = opens ? std::numeric_limits<T>::infinity() : T(0); // bounded below
     const Pack<T> strain = load_lanes(&points.plastic_strain[row]);
     PlasticStep<Pack<T>> plastic = update_stress<Dim, Pack<T>>(
         tau, gap, room, grad_v, dilation, dt, moduli, law_in_step<Pack<T>>(law, strain, dt));
     if constexpr (opens)
-      if (plastic.happened) bound_gap<Dim>(plastic, gap, fraction, tau);
+      if (plastic.happened)
+        bound_gap<Dim>(plastic, gap,
+                       interpolate(along.w, tile.at_nodes(state.nodal.nodes.fraction)), tau);
     unrolled<tensor_size<Dim>>([&](auto i) __attribute__((always_inline)) {
       store(tau[i], points.tau[i]);
     });

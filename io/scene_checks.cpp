@@ -216,16 +216,13 @@ void check_evolution(const std::string& key, const DruckerPrager& soil, SceneRep
   const std::string dilation = key + ".residual_dilation_angle_deg";
   if (report.usable({dilation, key + ".dilation_angle_deg", key + ".friction_angle_deg",
                      key + ".residual_friction_angle_deg"})) {
-    const double psi =
-        given(residual.dilation_angle) ? residual.dilation_angle : soil.dilation_angle;
-    const double phi =
-        given(residual.friction_angle) ? residual.friction_angle : soil.friction_angle;
-    if (psi > phi && soil.dilation_angle <= soil.friction_angle)
-      report.problem(given(residual.dilation_angle) ? dilation
-                                                    : key + ".residual_friction_angle_deg",
-                     fmt::format("leaves a residual dilation angle of {} and a residual friction "
-                                 "angle of {}; dilation must be at most friction",
-                                 number_text(psi), number_text(phi)));
+    const DruckerPrager later = soil.at_residual();
+    if (later.dilation_angle > later.friction_angle && soil.dilation_angle <= soil.friction_angle)
+      report.problem(
+          given(residual.dilation_angle) ? dilation : key + ".residual_friction_angle_deg",
+          fmt::format("leaves a residual dilation angle of {} and a residual friction angle of {}; "
+                      "dilation must be at most friction",
+                      number_text(later.dilation_angle), number_text(later.friction_angle)));
   }
   const std::string diameter = key + ".grain_diameter_m";
   if (report.usable({diameter, key + ".rate_strengthening"}) && soil.rate_strengthening > 0.0 &&

@@ -65,7 +65,7 @@ template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& 
         if (affine)
           add_affine_momentum<Dim>(mv_I, points, shape, local_position(state, stencil, p), stencil,
                                    p);
-        const Real m = points.m[p];
+        const Real m = points.mass(p);
         for (std::size_t c = 0; c < corners; ++c)
           for (std::size_t i = 0; i < Dim; ++i) mv_I[i][c] += m * v_p[i] * shape.N[c];
       }

@@ -38,7 +38,7 @@ void scatter_pass(State<Dim, Shape>& state, const std::vector<Vec<Dim>>& own_for
     for (std::size_t k = 0; k < cell.count; ++k) {
       const std::size_t p = cell.row(k);
       const Shape shape = shape_at(state, stencil, p);
-      [[maybe_unused]] const Real m = points.m[p];
+      [[maybe_unused]] const Real m = points.mass(p);
       [[maybe_unused]] const Real V0 = points.V0[p];
       Vec<Dim> mv;
       Mat<Dim> V_sigma;

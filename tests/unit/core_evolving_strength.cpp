@@ -123,15 +123,14 @@ TEST(EvolvingStrength, SteadyShearGivesTheInertialLaw) {
   law.rate_strengthening = 1.2;
   law.grain_diameter = 0.002;
   const auto [q, k] = cone_of(law.cone, law.friction_angle, law.cohesion);
-  for (const Real rate : {0.0, 1.0, 100.0})
+  for (const Real rate : {1.0, 100.0})
     for (const Real pressure : {500.0, 5000.0})
       for (const Real dt : {1e-6, 1e-4}) {
         const Real gamma = 0.5; // far beyond the elastic (k + q p) / G
-        const int steps = rate > 0.0 ? static_cast<int>(gamma / (rate * dt)) : 1;
-        if (steps > 1000000) continue;
+        const int steps = static_cast<int>(gamma / (rate * dt));
         const Sheared done = shear(update_of(law), pressure, rate, dt, steps);
         const Real inertial = 0.002 * rate * std::sqrt(density / pressure);
-        const Real expected = rate > 0.0 ? k + (q + 1.2 * inertial) * pressure : 0.0;
+        const Real expected = k + (q + 1.2 * inertial) * pressure;
         EXPECT_NEAR(shear_of(done.stress), expected, 1e-9 * pressure) << rate << " " << dt;
         EXPECT_NEAR(mean_of(done.stress), -pressure, 1e-9 * pressure);
       }

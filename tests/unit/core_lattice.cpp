@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "core/first_places.hpp"
 #include "core/lattice.hpp"
+#include "tests/support/rows.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -147,7 +148,7 @@ TEST(FillRegions, Box) {
     EXPECT_NEAR(points.x[0][p], 0.125 + 0.25 * static_cast<double>(p % 8), 1e-15);
     EXPECT_NEAR(points.x[1][p], 0.125 + 0.25 * static_cast<double>(p / 8), 1e-15);
     EXPECT_EQ(points.V0[p], 0.0625);
-    EXPECT_EQ(points.m[p], 125.0);
+    EXPECT_EQ(points.mass(p), 125.0);
     EXPECT_EQ(points.v[0][p], 3.0);
     EXPECT_EQ(points.v[1][p], -4.0) << "the z component, not y";
     EXPECT_EQ(points.J[p], 1.0);
@@ -172,7 +173,7 @@ TEST(FillRegions, FaceAt45Degrees) {
     EXPECT_NEAR(points.x[0][p], (i + part) * a, 1e-15);
     EXPECT_NEAR(points.x[1][p], (k + part) * a, 1e-15);
     EXPECT_NEAR(points.V0[p], (cut ? 0.5 : 1.0) * a * a, 1e-16);
-    EXPECT_NEAR(points.m[p], 2000.0 * points.V0[p], 1e-12);
+    EXPECT_NEAR(points.mass(p), 2000.0 * points.V0[p], 1e-12);
   }
   EXPECT_EQ(triangles, 4);
 }
@@ -193,7 +194,7 @@ TEST(FillRegions, MassAndCentreOfAnyPolygon) {
     for (int sense = 0; sense < 2; ++sense) {
       const PolygonMeasure whole = measure(polygon);
       const auto points = fill_regions<2>(scene_of({polygon_region("part", "ice", polygon)}));
-      EXPECT_NEAR(sum(points.m), 900.0 * std::abs(whole.area), 1e-9);
+      EXPECT_NEAR(sum(masses_of(points)), 900.0 * std::abs(whole.area), 1e-9);
       for (std::size_t a = 0; a < 2; ++a) {
         double moment = 0.0;
         for (std::size_t p = 0; p < points.rows(); ++p) moment += points.V0[p] * points.x[a][p];
@@ -221,7 +222,7 @@ TEST(FillRegions, PartialDepth) {
     EXPECT_NEAR(points.V0[p], 0.0625 * thickness[slice], 1e-16);
     EXPECT_EQ(points.v[1][p], 2.0);
   }
-  EXPECT_NEAR(sum(points.m), 2000.0 * 0.5 * 0.25 * 0.5, 1e-11);
+  EXPECT_NEAR(sum(masses_of(points)), 2000.0 * 0.5 * 0.25 * 0.5, 1e-11);
 }
 
 TEST(FillRegions, RegionsSideBySide) {
@@ -231,7 +232,7 @@ TEST(FillRegions, RegionsSideBySide) {
                                 polygon_region("right", "rock", {{1, 0.5}, {1, 1.5}, {0, 1.5}})}));
   std::array<double, 3> mass = {0, 0, 0};
   for (std::size_t p = 0; p < points.rows(); ++p) {
-    mass[points.region[p]] += points.m[p];
+    mass[points.region[p]] += points.mass(p);
     EXPECT_EQ(points.material[p], points.region[p] == 1 ? 1 : 0);
   }
   EXPECT_NEAR(mass[0], 1000.0, 1e-9);

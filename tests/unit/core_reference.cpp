@@ -48,6 +48,7 @@ std::unique_ptr<State<Dim, Shape>> random_state(const Scene& scene, bool affine)
           0.5 * state->grid.cells[i] * (points.id[p] % 4 == 0 ? part : part * part * part);
     }
   };
+  points.m.resize(points.rows());
   for (const std::size_t p : rows_of(points)) {
     anywhere(p);
     for (auto& component : points.v) component[p] = between(-1.0, 1.0);
