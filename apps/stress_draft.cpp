@@ -61,7 +61,8 @@ void StressDraft::choose_method(Preset preset) {
   // nodes).
   const bool usf = !random_.chance(0.7);
   if (usf && preset == Preset::fidelity) method.scheme = Scheme::usf;
-  method.flip = random_.chance(0.4) ? 1.0 : random_.between(0.9, 1.0);
+  const double flip = random_.chance(0.4) ? 1.0 : random_.between(0.9, 1.0);
+  if (preset == Preset::fidelity) method.flip = flip;
   method.local_damping = random_.chance(0.2) ? random_.between(0.0, 0.5) : 0.0;
   scene_.timing.cfl = random_.between(0.1, 0.9);
 }

@@ -20,10 +20,15 @@ struct Stop {
 
 class Watch final : public Observer {
  public:
-  explicit Watch(const StressLimits& limits) : checks_(limits) {}
+  Watch(const StressLimits& limits, double cell_size) : checks_(limits), h_(cell_size) {}
 
   void frame(const Simulation& simulation) override { look(simulation); }
   void progress(const Simulation& simulation) override {
+    if (before_) {
+      const StressMoment now = stress_moment(simulation);
+      stop_at(checks_.look_at_energy(*before_, centred_loss(*before_, now, h_)));
+      before_.reset();
+    }
     if (simulation.steps() % steps_between_looks == 0) look(simulation);
   }
   const StressChecks& checks() const { return checks_; }
@@ -32,15 +37,21 @@ class Watch final : public Observer {
   void look(const Simulation& simulation) {
     if (simulation.steps() == looked_at_) return;
     looked_at_ = simulation.steps();
-    if (const auto failure = checks_.look(stress_moment(simulation))) throw Stop{*failure};
+    before_ = stress_moment(simulation);
+    stop_at(checks_.look(*before_));
+  }
+  static void stop_at(const std::optional<StressFailure>& failure) {
+    if (failure) throw Stop{*failure};
   }
 
   StressChecks checks_;
+  double h_;                           ///< m
+  std::optional<StressMoment> before_; ///< the last look; its energy is looked at a step later
   long looked_at_ = -1;
 };
 
 void watch(const Scene& scene, Simulation& simulation, StressResult& result) {
-  Watch watch(stress_limits(scene));
+  Watch watch(stress_limits(scene), scene.grid.cell_size);
   try {
     run(simulation, scene.timing, watch);
   } catch (const Stop& stop) {

@@ -11,9 +11,10 @@
 namespace scarp {
 
 /// Returns the squares of the largest speeds, by lane.
-template <int Dim, bool affine, class Shape>
-[[gnu::hot]] Pack<typename Shape::Number>
-gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Real flip) {
+template <int Dim, bool affine, bool keeps, class Shape>
+[[gnu::hot]] Pack<typename Shape::Number> gather_tile(State<Dim, Shape>& state,
+                                                      std::size_t number_of_tile, bool remap,
+                                                      [[maybe_unused]] Real flip) {
   using T = typename Shape::Number;
   using Sums = TileSums<Dim, Shape>;
   Particles<Dim, T>& points = state.particles;
@@ -29,16 +30,24 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
     const RankWeights<Dim, Shape> weights(xi, tile.stencil());
     const auto& w = weights.along.w;
     const Pack<T> m = load_masses(points, row, load_lanes(&points.V0[row]));
+    // flip (what they had + what the step has added) + (1 - flip) what the nodes have.
+    const auto update = [&](const auto& functions, const auto& v_I, const auto& dv_I, auto& column)
+        __attribute__((always_inline)) {
+      const Pack<T> of_nodes = interpolate(functions, tile.at_nodes(v_I));
+      Pack<T> now = of_nodes;
+      if constexpr (keeps)
+        now = number<T>(flip) *
+                  (load_lanes(&column[row]) + interpolate(functions, tile.at_nodes(dv_I))) +
+              number<T>(1.0 - flip) * of_nodes;
+      where(empty, now) = 0.0F;
+      store_lanes(now, &column[row]);
+      return std::array{now, of_nodes};
+    };
     std::array<Pack<T>, Dim> m_v;
     Pack<T> v2 = T(0), v_grid2 = T(0);
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
-      Pack<T> v_I = interpolate(w, tile.at_nodes(nodes.v[i]));
-      const Pack<T> dv_I = interpolate(w, tile.at_nodes(nodes.dv[i]));
-      Pack<T> v =
-          number<T>(flip) * (load_lanes(&points.v[i][row]) + dv_I) + number<T>(1.0 - flip) * v_I;
+      auto [v, v_I] = update(w, nodes.v[i], nodes.dv[i], points.v[i]);
       where(empty, v_I) = 0.0F;
-      where(empty, v) = 0.0F;
-      store_lanes(v, &points.v[i][row]);
       m_v[i] = m * v;
       v2 += v * v;
       v_grid2 += v_I * v_I;
@@ -52,9 +61,7 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
         auto functions = w;
         functions[j] = q[j];
         unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
-          Pack<T> C = interpolate(functions, tile.at_nodes(nodes.v[i]));
-          where(empty, C) = 0.0F;
-          store_lanes(C, &points.C[Dim * i + j][row]);
+          const Pack<T> C = update(functions, nodes.v[i], nodes.dv[i], points.C[Dim * i + j])[0];
           m_C[Dim * i + j] = m * C;
           C2 += C * C;
         });
@@ -72,8 +79,7 @@ gather_tile(State<Dim, Shape>& state, std::size_t number_of_tile, bool remap, Re
 
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
-/// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
-/// N_I.
+/// Affine transfers: C_p likewise with q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p)) N_I.
 /// Returns the largest of |v_p| and |sum_I N_I v_I|, m/s; with gradients at a control point's
 /// distance, |v_p| + h/2 |C_p|.
 template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& state, Real flip) {
@@ -81,16 +87,19 @@ template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& 
   Real fastest2 = 0.0;
   const auto tiles = static_cast<std::int64_t>(state.order.tiles().size());
   with_flag(state.particles.affine(), [&](auto affine) {
+    with_flag(flip > 0.0, [&](auto keeps) {
 #pragma omp parallel reduction(max : fastest2)
-    {
-      Pack<T> of_thread = T(0);
+      {
+        Pack<T> of_thread = T(0);
 #pragma omp for schedule(static)
-      for (std::int64_t tile = 0; tile < tiles; ++tile)
-        of_thread =
-            max(of_thread,
-                gather_tile<Dim, affine.value>(state, static_cast<std::size_t>(tile), remap, flip));
-      fastest2 = std::max(fastest2, static_cast<Real>(hmax(of_thread)));
-    }
+        for (std::int64_t k = 0; k < tiles; ++k) {
+          const auto tile = static_cast<std::size_t>(k);
+          of_thread =
+              max(of_thread, gather_tile<Dim, affine.value, keeps.value>(state, tile, remap, flip));
+        }
+        fastest2 = std::max(fastest2, static_cast<Real>(hmax(of_thread)));
+      }
+    });
   });
   return std::sqrt(fastest2);
 }

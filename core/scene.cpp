@@ -30,7 +30,7 @@ Method method_of(Preset preset) {
   method.preset = preset;
   if (preset == Preset::accurate) {
     method.shape = ShapeFunctions::bspline;
-    method.transfer = VelocityTransfer::apic;
+    method.transfer = VelocityTransfer::aflip;
   }
   return method;
 }

@@ -120,8 +120,9 @@ struct Grid {
 /// (core/spline_shape.hpp).
 enum class ShapeFunctions { linear, gimp, bspline };
 
-/// What points and nodes exchange.  flip: velocities, a blend of FLIP and PIC. apic: velocities and
-/// their gradients around the points (core/affine.hpp), no FLIP. aflip: these with a part of FLIP.
+/// What points and nodes exchange.  flip: velocities, a blend of FLIP and PIC.  apic: velocities
+/// and their gradients around the points, no FLIP.  aflip: these, a blend of FLIP and APIC
+/// (core/affine.hpp).
 enum class VelocityTransfer { flip, apic, aflip };
 
 /// The rate of volume of a point: its own, or the mean of its cell (core/stress_pass.hpp).
@@ -135,8 +136,8 @@ enum class InitialStress { none, equilibrium };
 enum class Precision { double_precision, single };
 
 /// Combinations of the options of Method.  fidelity: as published for landslides (linear functions,
-/// MUSL, FLIP; Wu 2017). accurate: quadratic B-splines and APIC, which do not lock and do not blow
-/// up (README, "Stress tests").
+/// MUSL, FLIP; Wu 2017). accurate: quadratic B-splines and AFLIP, which hardly fail (README,
+/// "Stress tests") and converge (README, "Which method").
 enum class Preset { fidelity, accurate };
 
 struct Method {
@@ -149,6 +150,7 @@ struct Method {
   InitialStress initial_stress = InitialStress::none;
   /// Part of FLIP in the velocity update, 1 - flip of PIC; no part of it in VelocityTransfer::apic.
   double flip = 1.0;
+  double affine_flip = 0.5;   ///< the same of aflip
   double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1
   /// The same while a gate has still to open, so that what it holds comes to rest; the larger of
   /// the two counts.

@@ -4,6 +4,7 @@
 
 #include "core/simulation.hpp"
 
+#include "core/affine.hpp"
 #include "core/body_force_pass.hpp"
 #include "core/contact_pass.hpp"
 #include "core/fields.hpp"
@@ -95,7 +96,6 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
           StaticEquilibrium<Dim, Shape>(state_, walls_, materials_).find([this](std::size_t p) {
             return body_force(p);
           });
-    state_.particles.for_each([this](std::size_t p) { fastest_ = std::max(fastest_, speed(p)); });
     loads_.settle(state_.particles);
     first_energies_ = energies();
   }
@@ -129,12 +129,12 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     done(Phase::nodes);
 
     if (scheme == Scheme::musl) {
-      fastest_ = gather_pass<Dim, true>(state_, flip());
+      remember_speed(gather_pass<Dim, true>(state_, flip()));
       done(Phase::gather);
       remap_velocity_pass(state_, walls_, dt);
       done(Phase::remap);
     } else {
-      fastest_ = gather_pass<Dim, false>(state_, flip());
+      remember_speed(gather_pass<Dim, false>(state_, flip()));
       done(Phase::gather);
     }
     if (scheme == Scheme::usf)
@@ -239,6 +239,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     auto& points = state_.particles;
     points.for_each(
         [&](std::size_t p) { points.material[p] = material_of_region_[points.region[p]]; });
+    fastest_ = 0.0; // as in a run that begins here
+    points.for_each([this](std::size_t p) { fastest_ = std::max(fastest_, speed(p)); });
   }
 
   /// m/s2, at row p and the present time.
@@ -288,7 +290,22 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
 
   /// Part of FLIP in the velocity update.
   Real flip() const {
-    return scene_.method.transfer == VelocityTransfer::apic ? 0.0 : scene_.method.flip;
+    switch (scene_.method.transfer) {
+    case VelocityTransfer::apic:
+      return 0.0;
+    case VelocityTransfer::aflip:
+      return scene_.method.affine_flip;
+    case VelocityTransfer::flip:
+      break;
+    }
+    return scene_.method.flip;
+  }
+
+  /// m/s, of the fastest point now.  It is forgotten slowly: where the step follows what swings, it
+  /// is shorter at every swing's fastest, and such a step pumps energy into the swing.
+  void remember_speed(Real now) {
+    constexpr Real kept = 0.99; // a step
+    fastest_ = std::max(now, kept * fastest_);
   }
 
   Real damping() const {
@@ -348,7 +365,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   double stage_start_ = 0.0;               ///< s
   std::optional<Equilibrium> equilibrium_; ///< that the run began with
   Energies first_energies_;
-  Real fastest_ = 0.0;         ///< m/s, largest speed of a point
+  Real fastest_ = 0.0;         ///< m/s, largest speed of a point, forgotten slowly
   double damping_work_ = 0.0;  ///< J
   double friction_work_ = 0.0; ///< J
   double time_ = 0.0;

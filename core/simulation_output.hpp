@@ -11,6 +11,7 @@ template <int Dim, class Shape> Energies SimulationOf<Dim, Shape>::energies() co
   points.for_each([&](std::size_t p) {
     Real v2 = 0.0;
     for (std::size_t i = 0; i < Dim; ++i) v2 += points.v[i][p] * points.v[i][p];
+    if (points.affine()) v2 += affine_square(state_, p);
     now.kinetic += 0.5 * points.mass(p) * v2;
     now.plastic += points.V0[p] * points.dissipation[p];
 

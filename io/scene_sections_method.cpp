@@ -22,8 +22,8 @@ Option<Method> preset_option() {
   Option<Method> option = word<Method, Preset>(
       "preset", &Method::preset, {{"accurate", Preset::accurate}, {"fidelity", Preset::fidelity}},
       "What the other options of this section are where they are not given: accurate (B-splines "
-      "and "
-      "APIC, the default) or fidelity (as published for landslides: linear functions and FLIP).");
+      "and AFLIP, the default) or fidelity (as published for landslides: linear functions and "
+      "FLIP).");
   const auto read = option.read;
   option.read = [read](const toml::node& node, int dimension, Method& method) {
     Complaint wrong = read(node, dimension, method);
@@ -85,8 +85,9 @@ Section<Method> method_section() {
               {{"flip", VelocityTransfer::flip},
                {"apic", VelocityTransfer::apic},
                {"aflip", VelocityTransfer::aflip}},
-              "What points and nodes exchange: velocities (flip), these with "
-              "their gradients and no FLIP (apic), or both (aflip)."),
+              "What points and nodes exchange: velocities, a blend of FLIP and PIC (flip); "
+              "velocities with their gradients (apic); a blend of FLIP, also of the gradients, "
+              "and APIC (aflip)."),
           word<Method, Precision>(
               "precision", &Method::precision,
               {{"double", Precision::double_precision}, {"single", Precision::single}},
@@ -98,7 +99,9 @@ Section<Method> method_section() {
               "The stress at time 0: none, or that of the static equilibrium under the loads of "
               "time 0. Strains, displacements and gaps count from there."),
           number<Method>("flip", "", &Method::flip, {.at_least = 0, .at_most = 1},
-                         "Part of FLIP in the velocity update; the rest is PIC. Not used by apic."),
+                         "Part of FLIP in what points keep; the rest is PIC. Used by flip."),
+          number<Method>("affine_flip", "", &Method::affine_flip, {.at_least = 0, .at_most = 1},
+                         "Part of FLIP in what points keep; the rest is APIC. Used by aflip."),
           number<Method>("local_damping", "", &Method::local_damping, {.at_least = 0, .below = 1},
                          "Cundall's non-viscous damping of the nodal forces."),
           number<Method>("settling_damping", "", &Method::settling_damping,

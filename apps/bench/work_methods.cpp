@@ -47,12 +47,12 @@ std::vector<WorkPlan> every_method(Effort effort, const std::vector<int>& levels
   add("B-spline", method(bspline));
   add("B-spline, cell averages", method(bspline, flip, VolumeRate::cell_average));
   add("B-spline, APIC", method(bspline, apic));
+  add("B-spline, AFLIP", method(bspline, aflip));
   add("linear, single precision", in_single(method(linear)));
   if (effort == Effort::quick) return all;
   add("B-spline, single precision", in_single(method(bspline)));
   add("B-spline, APIC, single precision", in_single(method(bspline, apic)));
   add("GIMP, APIC", method(gimp, apic));
-  add("B-spline, AFLIP", method(bspline, aflip));
   for (const int points : {3, 4}) {
     add(fmt::format("linear, {}² points", points), with_points(method(linear), points));
     add(fmt::format("B-spline, {}² points", points), with_points(method(bspline), points));
@@ -70,9 +70,10 @@ std::vector<WorkPlan> landslide_methods(Effort effort, const std::vector<int>& l
       {"linear", method(linear), of_presets},
       {"linear, cell averages", method(linear, flip, VolumeRate::cell_average), levels},
       {"B-spline", method(bspline), levels},
-      {"B-spline, APIC", method(bspline, apic), of_presets}};
+      {"B-spline, APIC", method(bspline, apic), levels},
+      {"B-spline, AFLIP", method(bspline, aflip), of_presets}};
   if (effort == Effort::full)
-    all.push_back({"B-spline, APIC, single precision", in_single(method(bspline, apic)), levels});
+    all.push_back({"B-spline, AFLIP, single precision", in_single(method(bspline, aflip)), levels});
   return all;
 }
 

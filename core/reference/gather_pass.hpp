@@ -13,8 +13,7 @@ namespace scarp::reference {
 
 /// v_p  = flip (v_p + sum_I N_I dv_I) + (1 - flip) sum_I N_I v_I
 /// Remap: (m v)_I = sum_p m_p v_p N_I.
-/// Affine transfers: C_p = sum_I v_I (x) q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p))
-/// N_I.
+/// Affine transfers: C_p likewise with q_I (core/affine.hpp), and m_p (v_p + C_p (x_I - x_p)) N_I.
 /// Returns the largest of |v_p| and |sum_I N_I v_I|, m/s; with gradients at a control point's
 /// distance, |v_p| + h/2 |C_p|.
 template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& state, Real flip) {
@@ -55,7 +54,8 @@ template <int Dim, bool remap, class Shape> Real gather_pass(State<Dim, Shape>& 
       }
       Real speed = std::sqrt(std::max(v2, v_grid2));
       if (affine) {
-        gather_affine<Dim>(points, v_I, shape, local_position(state, stencil, p), stencil, p);
+        gather_affine<Dim>(points, v_I, dv_I, flip, shape, local_position(state, stencil, p),
+                           stencil, p);
         Real C2 = 0.0;
         for (const Column& C : points.C) C2 += C[p] * C[p];
         speed += 0.5 * state.grid.h * std::sqrt(C2);

@@ -1,5 +1,6 @@
 // Points to nodes and back, at random points with random state, for all shape functions.  Nodes are
 // found and weighted here by the textbook's functions, not by the code's own.
+#include "core/affine.hpp"
 #include "tests/support/random_points.hpp"
 
 #include <cmath>
@@ -344,4 +345,61 @@ TYPED_TEST(Transfer, OneDensityNeedsNoMasses) {
   points.m = {};
   points.v = v;
   EXPECT_EQ(step(), with_masses);
+}
+
+/// FLIP of velocities and their gradients, core/affine.hpp: what the step adds on the nodes, dv,
+/// gives the points sum_I m_I v_I . dv_I and something that is not more than the nodes' own second
+/// order; without it the points' |s| does not grow, and with all of FLIP stays.
+TYPED_TEST(Transfer, AffineFlipMakesNoEnergy) {
+  constexpr int Dim = TypeParam::value;
+  auto& points = this->state.particles;
+  for (Column& column : points.C) {
+    column.assign(points.rows(), 0.0);
+    for (const std::size_t p : rows_of(points)) column[p] = this->random.between(-2.0, 2.0);
+  }
+  const auto v = points.v;
+  const auto C = points.C;
+  const auto energy = [&] {
+    double twice = 0.0;
+    for (const std::size_t p : rows_of(points)) {
+      double v2 = affine_square(this->state, p);
+      for (std::size_t i = 0; i < Dim; ++i) v2 += points.v[i][p] * points.v[i][p];
+      twice += points.mass(p) * v2;
+    }
+    return 0.5 * twice;
+  };
+  const double before = energy();
+  for (const double flip : {0.0, 0.3, 1.0})
+    for (const bool pushed : {false, true}) {
+      points.v = v;
+      points.C = C;
+      scatter_pass<Dim, Terms::mass_momentum>(this->state);
+      gather_momentum_pass(this->state, this->walls);
+      auto& nodes = this->state.nodal.nodes;
+      double first = 0.0, second = 0.0, seen = 0.0;
+      for (const int index : active_nodes(this->state)) {
+        const auto at = static_cast<std::size_t>(index);
+        for (std::size_t i = 0; i < Dim; ++i) {
+          const double dv = pushed ? this->random.between(-1.0, 1.0) : 0.0;
+          first += nodes.m[at] * nodes.v[i][at] * dv;
+          second += 0.5 * nodes.m[at] * dv * dv;
+          seen += 0.5 * nodes.m[at] * nodes.v[i][at] * nodes.v[i][at];
+          nodes.dv[i][at] = dv;
+          nodes.v[i][at] += dv;
+        }
+      }
+      ASSERT_LT(seen, 0.9 * before) << "of random points the nodes see a part only";
+      gather_pass<Dim, false>(this->state, flip);
+      const double made = energy() - before - first;
+      EXPECT_LT(made, second + 1e-12 * before) << flip;
+      if (flip == 1.0) {
+        EXPECT_GT(made, -1e-12 * before) << "nothing is lost";
+      }
+      if (pushed) continue;
+      if (flip == 1.0) {
+        EXPECT_NEAR(made, 0.0, 1e-12 * before);
+      } else {
+        EXPECT_LT(made, (1.0 - flip) * (seen - before) + 1e-12 * before) << flip;
+      }
+    }
 }

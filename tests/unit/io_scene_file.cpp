@@ -119,11 +119,11 @@ TEST(SceneFile, PresetIsWhereTheMethodStarts) {
   EXPECT_EQ(read_scene(pile).method.shape, ShapeFunctions::linear);
   const Method accurate = read_scene(pile, {"method.preset=accurate"}).method;
   EXPECT_EQ(accurate.shape, ShapeFunctions::bspline);
-  EXPECT_EQ(accurate.transfer, VelocityTransfer::apic);
+  EXPECT_EQ(accurate.transfer, VelocityTransfer::aflip);
   EXPECT_EQ(accurate.flip, 0.999) << "the file's own keys count";
   const Method changed = read_scene(pile, {"method.shape=gimp", "method.preset=accurate"}).method;
   EXPECT_EQ(changed.shape, ShapeFunctions::gimp) << "in whatever order they stand";
-  EXPECT_EQ(changed.transfer, VelocityTransfer::apic);
+  EXPECT_EQ(changed.transfer, VelocityTransfer::aflip);
 }
 
 TEST(SceneFile, ReadsEveryOption) {
