@@ -11,8 +11,8 @@
 //           far.  Leapfrog knows velocity and strain half a step apart: what it keeps is not T + U
 //           but v_n . M v_n+1 / 2 + U(x_n), with the velocities before and after the force at x_n.
 //           T + U of a mode of frequency w swings about more than that, up to 1/(1 - w dt/2) times
-//           as much, so energies are taken with this product (`centred`).  What is left is averaged
-//           over the last energy_window looks: operators change while points move.
+//           as much, so energies are taken with this product (centred_loss).  What is left is
+//           averaged over the last energy_window looks: operators change while points move.
 //
 // losses    Damping, friction and plastic flow each take energy: none of them gives more than
 //           energy_fraction P back.

@@ -18,6 +18,7 @@ namespace scarp {
 /// scheme_loss is what is left over: what the transfer between points and grid and the time
 /// integration take.
 struct Energies {
+  /// Of the points; with affine transfers also of the gradients around them (core/affine.hpp).
   double kinetic = 0.0;
   /// Of the nodes: without the part of the points' velocities that the grid does not see and that
   /// moves nothing.
