@@ -123,8 +123,10 @@ struct StressMoment {
 StressMoment stress_moment(const Simulation& simulation);
 
 /// J (J/m), scheme_loss of a moment with the kinetic energy v_n . M v_n+1 / 2 of it and the next
-/// step.  h: m, of the cells; gradients count as with B-splines (core/affine.hpp).
-double centred_loss(const StressMoment& now, const StressMoment& next, double h);
+/// step, whose velocities and gradients are given.  h: m, of the cells; gradients count as with
+/// B-splines (core/affine.hpp).
+double centred_loss(const StressMoment& now, const std::vector<double>& next_velocity,
+                    const std::vector<double>& next_gradient, double h);
 
 /// A bound that does not hold.  For a lower bound value < bound, else value > bound.
 struct StressFailure {
@@ -142,14 +144,15 @@ class StressChecks {
 
   /// To be called moment by moment, from time 0 on.  Returns the first bound that does not hold.
   std::optional<StressFailure> look(const StressMoment& now);
-  /// The same for energy; `loss`: J, centred_loss.
-  std::optional<StressFailure> look_at_energy(const StressMoment& now, double loss);
+  /// The same for energy; `scheme_loss`: J, the moment's centred_loss.
+  std::optional<StressFailure> look_at_energy(const StressMoment& now, double scheme_loss);
 
   /// How near runs have come to their bounds: value by bound, 1 at the bound.
   const std::map<std::string, double>& nearest() const { return nearest_; }
 
  private:
   void put_in(const StressMoment& now);
+  double available() const { return (1.0 + energy_fraction) * put_in_; } ///< J
   std::optional<StressFailure> check_speed(const StressMoment& now);
   std::optional<StressFailure> check_points(const StressMoment& now);
   std::optional<StressFailure> at_most(const std::string& check, double value, double bound,
@@ -157,14 +160,12 @@ class StressChecks {
                                        const std::string& what);
 
   StressLimits limits_;
-  double available() const { return (1.0 + energy_fraction) * put_in_; } ///< J
-
-  double put_in_ = 0.0;       ///< J, P
-  double first_kinetic_ = -1; ///< J, T(0); negative: not yet known
-  double peak_ = 0.0;         ///< J, of the nodes' kinetic energy
-  std::size_t still_ = 0;     ///< looks since it was above 1e-3 of its peak
-  std::deque<double> losses_; ///< J, scheme_loss at the last looks
-  std::optional<double> first_loss_;
+  double put_in_ = 0.0;              ///< J, P
+  double first_kinetic_ = -1;        ///< J, T(0); negative: not yet known
+  double peak_ = 0.0;                ///< J, of the nodes' kinetic energy
+  std::size_t still_ = 0;            ///< looks since it was above 1e-3 of its peak
+  std::deque<double> losses_;        ///< J, scheme_loss at the last looks
+  std::optional<double> first_loss_; ///< J, what they count from
   std::optional<double> loss_at_rest_;
   double largest_speed_ = 0.0; ///< m/s, v_max
   std::map<std::string, double> nearest_;

@@ -25,8 +25,9 @@ class Watch final : public Observer {
   void frame(const Simulation& simulation) override { look(simulation); }
   void progress(const Simulation& simulation) override {
     if (before_) {
-      const StressMoment now = stress_moment(simulation);
-      stop_at(checks_.look_at_energy(*before_, centred_loss(*before_, now, h_)));
+      const double loss = centred_loss(*before_, simulation.field("velocity"),
+                                       simulation.field("velocity_gradient"), h_);
+      stop_at(checks_.look_at_energy(*before_, loss));
       before_.reset();
     }
     if (simulation.steps() % steps_between_looks == 0) look(simulation);

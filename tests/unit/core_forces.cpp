@@ -8,7 +8,20 @@ using namespace scarp::test;
 
 namespace {
 
-template <class Tested> class Forces : public RandomPoints<Tested> {};
+template <class Tested> class Forces : public RandomPoints<Tested> {
+ protected:
+  /// Gives the nodes random velocities and returns the power of the forces, W.
+  double power_of_random_velocities() {
+    double power = 0.0;
+    auto& nodes = this->state.nodal.nodes;
+    for (const int at : active_nodes(this->state))
+      for (std::size_t i = 0; i < Tested::value; ++i) {
+        nodes.v[i][at] = this->random.between(-1.0, 1.0);
+        power += this->forces[i][static_cast<std::size_t>(at)] * nodes.v[i][at];
+      }
+    return power;
+  }
+};
 TYPED_TEST_SUITE(Forces, Cases, CaseName);
 
 /// The stress pass for elastic points of one material.
@@ -40,14 +53,7 @@ TYPED_TEST(Forces, InternalForcesCancel) {
 TYPED_TEST(Forces, ForceIsAdjointToTheGradient) {
   constexpr int Dim = TypeParam::value;
   this->scatter_all();
-  double power = 0.0;
-  for (const int at : active_nodes(this->state)) {
-    auto& nodes = this->state.nodal.nodes;
-    for (std::size_t i = 0; i < Dim; ++i) {
-      nodes.v[i][at] = this->random.between(-1.0, 1.0);
-      power += this->forces[i][static_cast<std::size_t>(at)] * nodes.v[i][at];
-    }
-  }
+  const double power = this->power_of_random_velocities();
   double stress_power = 0.0;
   const auto& points = this->state.particles;
   for (const std::size_t p : rows_of(points))
@@ -88,7 +94,6 @@ TYPED_TEST(Forces, ForceIsAdjointToTheGradient) {
 /// points' stresses follow, and sum_p V0 psi(tau) grows by - f . du in first order.
 /// So it does with the volume rate averaged over cells, with the force that goes with it.
 TYPED_TEST(Forces, ForceIsMinusTheGradientOfTheEnergy) {
-  constexpr int Dim = TypeParam::value;
   for (const bool averages : {false, true}) {
     this->state.averages_volume = averages;
     const ElasticModuli moduli = {2.0, 3.0};
@@ -107,14 +112,7 @@ TYPED_TEST(Forces, ForceIsMinusTheGradientOfTheEnergy) {
       return total;
     };
     this->scatter_all();
-    double power = 0.0;
-    for (const int at : active_nodes(this->state)) {
-      auto& nodes = this->state.nodal.nodes;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        nodes.v[i][at] = this->random.between(-1.0, 1.0);
-        power += this->forces[i][static_cast<std::size_t>(at)] * nodes.v[i][at];
-      }
-    }
+    const double power = this->power_of_random_velocities();
     // A central difference of width 2 e: its error is of order e^2.
     const auto start = this->state.particles.tau;
     const double e = 1e-5;
