@@ -15,12 +15,6 @@ namespace scarp::apps {
 
 namespace {
 
-double largest(const Ramp& ramp) {
-  double most = 0.0;
-  for (const auto& point : ramp.points) most = std::max(most, std::abs(point[1]));
-  return most;
-}
-
 /// Of the scene's gravity, over all stages and regions.
 double largest_multiple(const Scene& scene) {
   if (scene.stages.empty()) return 1.0;
@@ -28,8 +22,8 @@ double largest_multiple(const Scene& scene) {
   for (const Stage& stage : scene.stages) {
     double of_region = 1.0;
     for (const auto& entry : stage.body_force)
-      of_region = std::max(of_region, largest(entry.second));
-    most = std::max(most, largest(stage.gravity) * of_region);
+      of_region = std::max(of_region, entry.second.largest());
+    most = std::max(most, stage.gravity.largest() * of_region);
   }
   return most;
 }
@@ -52,7 +46,7 @@ bool finite(const StressMoment& now) {
 double StressLimits::fastest(double time) const {
   const double free =
       std::min(speed + body_force * time, std::sqrt(speed * speed + 2.0 * potential));
-  return 2.0 * std::sqrt(density_ratio) * free;
+  return 2.0 * across * std::sqrt(density_ratio) * free;
 }
 
 double StressLimits::stress(double largest_speed) const {
@@ -64,7 +58,8 @@ double StressLimits::horn(double initial_volume) const {
 }
 
 double StressLimits::impact(double initial_volume) const {
-  return 2.0 / (1.0 + std::min(1.0, initial_volume / square));
+  const double part = std::pow(std::min(1.0, initial_volume / square), 1.0 / dimension);
+  return std::pow(2.0 / (1.0 + part), dimension);
 }
 
 double StressLimits::fastest_of(double initial_volume, double time, double energy) const {
@@ -82,6 +77,7 @@ double StressLimits::stress_of(double initial_volume, double largest_speed, doub
 StressLimits stress_limits(const Scene& scene) {
   StressLimits limits;
   const Grid& grid = scene.grid;
+  limits.dimension = grid.dimension;
   const double multiple = largest_multiple(scene);
   limits.body_force = multiple * norm(scene.gravity.data());
   limits.room = 1.0;
@@ -105,6 +101,10 @@ StressLimits stress_limits(const Scene& scene) {
       limits.dilation = std::max(limits.dilation,
                                  std::sqrt(3.0) * cone_of(law->cone, law->dilation_angle, 0.0)[0]);
     limits.waves = std::max(limits.waves, grid.dimension * moduli.bulk / moduli.p_wave());
+    const double r = 1.0 - 2.0 * moduli.shear / moduli.p_wave(); // lambda/(lambda + 2 G)
+    const double along = 1.0 + (grid.dimension - 1) * r * r;
+    limits.across =
+        std::max(limits.across, std::sqrt(along * along + (grid.dimension - 1) * r * r));
   }
   limits.density_ratio = heaviest / limits.lightest;
 

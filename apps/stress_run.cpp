@@ -59,9 +59,7 @@ void watch(const Scene& scene, Simulation& simulation, StressResult& result) {
     result.failure = stop.failure;
   } catch (const RunError& error) {
     result.message = error.what();
-    StressMoment last = stress_moment(simulation);
-    last.time += simulation.stable_time_step(); // its velocities are those after the step
-    result.failure = explain(error, scene, last);
+    result.failure = explain(error, scene, stress_moment(simulation));
     if (!result.failure) result.end = StressEnd::left_grid;
   }
   if (result.failure) result.end = StressEnd::failed;

@@ -12,7 +12,7 @@ class SetupError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The run cannot go on.  The state still has the positions of the last good step.
+/// The run cannot go on.  A point that would leave the grid is still where it was before the step.
 class RunError : public std::runtime_error {
  public:
   RunError(const std::string& what, long step, double time, std::size_t point,

@@ -113,7 +113,8 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
 
 /// v_I += dt (f_int + m g + f_damping)_I / m_I; keeps the change in dv for the FLIP increment.
 /// Local damping: each component of the unbalanced force loses the part `damping` of its size
-/// against the motion (Cundall 1987).
+/// against the motion (Cundall 1987).  What balances a force is also what friction sides answer to
+/// it: a film that lies on one would else be damped by its whole weight, which throws it up.
 /// What damping and friction take is their force times the velocity that points and strain see:
 /// mostly this one, or (State::moves_with_strain) the remapped one, in remap_velocity_pass.  Of
 /// damping D it is the mean with the one before the step, v: D's sign is that of -v, and where it
@@ -135,16 +136,17 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
     return f;
   };
   const auto advance = [&](const auto& run, std::size_t number_of_run,
-                           const std::array<Pack<T>, Dim>& f) {
+                           const std::array<Pack<T>, Dim>& f, Real damped_part,
+                           const std::array<Pack<T>, Dim>& unbalanced) {
     const auto first = static_cast<std::size_t>(run.node);
     const Pack<T> inv_m = load_lanes(&nodes.inv_m[first]);
     std::array<Pack<T>, Dim> before, drag;
     for (std::size_t i = 0; i < Dim; ++i) {
       before[i] = load_lanes(&nodes.v[i][first]);
       drag[i] = 0.0F;
-      if (damping > 0.0)
+      if (damped_part > 0.0)
         where(before[i] != 0.0F, drag[i]) =
-            number<T>(-damping) * std::experimental::copysign(f[i], before[i]);
+            number<T>(-damped_part) * std::experimental::copysign(unbalanced[i], before[i]);
       store_lanes(before[i] + number<T>(dt) * inv_m * (f[i] + drag[i]), &nodes.v[i][first],
                   run.count);
     }
@@ -152,7 +154,7 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
     for (std::size_t i = 0; i < Dim; ++i) {
       const Pack<T> v = load_lanes(&nodes.v[i][first]);
       store_lanes(v - before[i], &nodes.dv[i][first], run.count);
-      if (damping == 0.0) continue;
+      if (damped_part == 0.0) continue;
       if (state.moves_with_strain) store_lanes(drag[i], &nodes.drag[i][first], run.count);
       // Of what moves together, each node counts for its part of the mass.
       for (std::size_t k = 0; k < run.count; ++k) {
@@ -180,9 +182,31 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       f[i] = load_lanes(&nodes.f[i][static_cast<std::size_t>(run.node)]);
     return f;
   };
-  for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
-    advance(run, number_of_run, exchange ? exchanged(run) : force(run));
-  });
+  const auto all_forces = [&](const auto& run) { return exchange ? exchanged(run) : force(run); };
+  if (damping == 0.0 || walls.friction().empty()) {
+    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
+      const std::array<Pack<T>, Dim> f = all_forces(run);
+      advance(run, number_of_run, f, damping, f);
+    });
+  } else {
+    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
+      const std::array<Pack<T>, Dim> f = all_forces(run);
+      advance(run, number_of_run, f, 0.0, f);
+    });
+    resist_pass(state, walls);
+    for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
+      const auto first = static_cast<std::size_t>(run.node);
+      const Pack<T> inv_m = load_lanes(&nodes.inv_m[first]);
+      std::array<Pack<T>, Dim> unbalanced;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        const Pack<T> dv = load_lanes(&nodes.dv[i][first]);
+        unbalanced[i] = 0.0F;
+        where(inv_m > 0.0F, unbalanced[i]) = dv / (number<T>(dt) * inv_m);
+        store_lanes(load_lanes(&nodes.v[i][first]) - dv, &nodes.v[i][first], run.count);
+      }
+      advance(run, number_of_run, all_forces(run), damping, unbalanced);
+    });
+  }
   state.nodal.rubbed = resist_pass(state, walls);
 }
 
@@ -196,7 +220,11 @@ void remap_velocity_pass(State<Dim, Shape>& state, const Walls<Dim>& walls, Real
       state, walls, [&](const auto& run) { add_up_momenta(state, run); },
       [&] { add_images(state, walls, state.nodal.nodes.v); },
       [&](const auto& run, std::size_t) { find_velocities(state, walls, run); });
-  const Real rubbed = hold_back_pass(state, walls);
+  // In a corner of two friction sides each moves what the other holds; such turns go on to what
+  // both hold.
+  const int turns = walls.friction().size() > 1 ? 3 : 1;
+  Real rubbed = 0.0;
+  for (int turn = 0; turn < turns; ++turn) rubbed = hold_back_pass(state, walls);
   if (!state.moves_with_strain) return;
   state.nodal.rubbed = rubbed;
   const Nodes<Dim, typename Shape::Number>& nodes = state.nodal.nodes;

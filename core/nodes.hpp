@@ -85,9 +85,10 @@ template <int Dim, class Shape> struct GridState {
   Real rubbed = 0.0;     ///< J, taken in this step by friction on walls
   /// By axis, side and pair (CellOrder::side_pairs): what friction has done in this step.
   struct Rub {
-    Vec<Dim> dv = {};   ///< m/s, to the velocity on the side, along it
-    bool stuck = false; ///< whether it has stopped it
-    Real taken = 0.0;   ///< J, that it takes with the latest velocities
+    Vec<Dim> dv = {};     ///< m/s, to the velocity on the side, along it
+    bool stuck = false;   ///< whether it has stopped it
+    bool pressed = false; ///< whether the side has stopped motion into it
+    Real taken = 0.0;     ///< J, that it takes with the latest velocities
   };
   std::array<std::array<std::vector<Rub>, 2>, Dim> rubs;
 

@@ -25,6 +25,12 @@ double Ramp::at(double time) const {
   return f0 + (f1 - f0) * (time - t0) / (t1 - t0);
 }
 
+double Ramp::largest() const {
+  double most = 0.0;
+  for (const auto& point : points) most = std::max(most, std::abs(point[1]));
+  return most;
+}
+
 Method method_of(Preset preset) {
   Method method;
   method.preset = preset;

@@ -177,6 +177,7 @@ struct Ramp {
   std::vector<std::array<double, 2>> points = {{0.0, 1.0}}; ///< s, -; times ascending
 
   double at(double time) const;
+  double largest() const; ///< size
   bool constant() const { return points.size() == 1; }
 };
 

@@ -143,10 +143,10 @@ void stop_at_sides(State<Dim, Shape>& state, const Walls<Dim>& walls, const auto
       [&](auto&, std::size_t node, std::size_t i, auto by, Real) { change(node, i, by); });
 }
 
-/// Stops the motion into friction sides, and all motion on them where Coulomb's friction has done
-/// so in this step: a wall that holds velocities in one mapping and lets them go when they are
-/// mapped again would drive them along.  Returns what friction takes, J, with the velocities after
-/// it.
+/// Stops the motion into friction sides; and, in a step in which one has pressed, away from it, and
+/// all motion on it where Coulomb's friction has stopped it: a side that holds velocities in one
+/// mapping and lets them go when they are mapped again would drive them, by its force times what it
+/// lets go.  Returns what friction takes, J, with the velocities after it.
 template <int Dim, class Shape>
 Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   auto& nodes = state.nodal.nodes;
@@ -154,7 +154,10 @@ Real hold_back_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   const Real taken = push_pairs(
       state, walls,
       [](const auto& side, const auto& rub, const Vec<Dim>& v) {
-        return rub.stuck ? Vec<Dim>{} : side.hold_back(v);
+        if (rub.stuck) return Vec<Dim>{};
+        Vec<Dim> after = side.hold_back(v);
+        if (rub.pressed) after[side.axis] = 0.0;
+        return after;
       },
       [&](auto& rub, std::size_t node, std::size_t i, auto by, Real impulse) {
         change(node, i, by);
@@ -179,6 +182,7 @@ Real resist_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         const Vec<Dim> left = side.resist(v), without_friction = side.hold_back(v);
         for (std::size_t i = 0; i < Dim; ++i) rub.dv[i] = left[i] - without_friction[i];
         rub.stuck = left == Vec<Dim>{} && left != v;
+        rub.pressed = left[side.axis] != v[side.axis];
         return left;
       },
       [&](auto& rub, std::size_t node, std::size_t i, auto by, Real impulse) {

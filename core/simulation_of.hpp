@@ -137,14 +137,15 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
       remember_speed(gather_pass<Dim, false>(state_, flip()));
       done(Phase::gather);
     }
-    if (scheme == Scheme::usf)
-      check(move_pass(state_, dt, [](std::size_t) {}));
-    else
-      check(move_pass(state_, dt, [&](std::size_t tile) { update_stress(tile, dt); }));
+    const LostPoints lost =
+        scheme == Scheme::usf
+            ? move_pass(state_, dt, [](std::size_t) {})
+            : move_pass(state_, dt, [&](std::size_t tile) { update_stress(tile, dt); });
     add_up_losses();
     if (loads_.vary()) loads_.settle(state_.particles);
     time_ = next.time;
     ++steps_;
+    check(lost);
     done(Phase::stress);
     return dt;
   }
@@ -178,7 +179,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
                       critical_speed<Dim, Shape>(materials_[material].moduli,
                                                  materials_[material].density, state_.half_point));
     return std::min(scene_.timing.max_time_step,
-                    scene_.timing.cfl * critical_step(state_.grid.h, wave, fastest_,
+                    scene_.timing.cfl * critical_step(state_.grid.h, crushing_ * wave, fastest_,
                                                       loads_.largest(), Shape::steepest));
   }
 
@@ -230,7 +231,9 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     stage_start_ = time_;
     loads_.begin_stage(stages_[stage], time_);
     material_of_region_.clear();
+    crushing_ = 1.0;
     for (const Region& region : scene_.regions) {
+      crushing_ = std::max(crushing_, crushing(scene_, region, stages_[stage]));
       const auto changed = stages_[stage].material.find(region.name);
       const bool own = changed == stages_[stage].material.end();
       material_of_region_.push_back(static_cast<std::uint8_t>(
@@ -345,12 +348,11 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     const auto p = static_cast<std::size_t>(std::find(id.begin(), id.end(), bad) - id.begin());
     const std::array<double, 3> x = place(p);
     std::ostringstream text;
-    text << "step " << steps_ + 1 << ", time " << time_ << " s: point " << bad
-         << " at x = " << x[0];
+    text << "step " << steps_ << ", time " << time_ << " s: point " << bad << " at x = " << x[0];
     if constexpr (Dim == 3) text << ", y = " << x[1];
     text << ", z = " << x[2] << " m (speed " << speed(p) << " m/s) " << complaint
          << "; try: " << advice;
-    throw RunError(text.str(), steps_ + 1, time_, bad, x);
+    throw RunError(text.str(), steps_, time_, bad, x);
   }
 
   Scene scene_;
@@ -361,6 +363,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   Loads<Dim> loads_;
   std::vector<MaterialModel> materials_;
   std::vector<std::uint8_t> material_of_region_; ///< in the present stage
+  Real crushing_ = 1.0; ///< core/time_step.hpp, the most of the present stage's regions
   std::size_t stage_ = 0;
   double stage_start_ = 0.0;               ///< s
   std::optional<Equilibrium> equilibrium_; ///< that the run began with

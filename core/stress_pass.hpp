@@ -19,8 +19,8 @@
 // step J grows by exp(y), y = dt tr d less what the law has forgotten.  With 1 + y instead every
 // step takes y^2/2 from log J, to and fro alike, and a point that springs gets smaller without end.
 // (2 + y)/(2 - y) is exp(y) but for y^3/12, odd in y, so that a swing there and back leaves
-// nothing. (The law itself stays with dt d: with it the force is adjoint, and no swing makes
-// energy.)
+// nothing; exp(y) itself is taken for the few points where y is not small.  (The law itself stays
+// with dt d: with it the force is adjoint, and no swing makes energy.)
 #pragma once
 
 #include "core/evolving_strength.hpp"
@@ -167,6 +167,13 @@ template <int Dim, class T>
   plastic.dissipation += trace<Dim, T>(tau) * number<T>(1.0 / 3.0) * beyond;
 }
 
+/// exp(y); see above.
+template <class T> [[gnu::always_inline]] inline Pack<T> growth(const Pack<T>& y) {
+  Pack<T> factor = (2.0F + y) / (2.0F - y);
+  if (const auto large = y * y > 0.25F; any_of(large)) where(large, factor) = exp(y);
+  return factor;
+}
+
 /// The points of one material, which remembers gaps if it `opens`, in one tile.
 template <int Dim, bool opens, class Law, class Shape>
 [[gnu::hot]] void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
@@ -220,7 +227,7 @@ template <int Dim, bool opens, class Law, class Shape>
       // A gap that is not remembered is no volume of the material either: else it adds up for ever.
       grown -= plastic.forgotten;
     }
-    store(load_lanes(&points.J[row]) * ((2.0F + grown) / (2.0F - grown)), points.J);
+    store(load_lanes(&points.J[row]) * growth<T>(grown), points.J);
   }
 }
 

@@ -4,6 +4,10 @@
 #include "core/linear_shape.hpp"
 #include "core/spline_shape.hpp"
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace scarp {
 
 namespace {
@@ -22,14 +26,46 @@ template <int Dim> Real critical_speed_in(const Scene& scene, const Material& ma
   return critical_speed<Dim, LinearShape<Dim>>(moduli, material.density, half_point);
 }
 
+std::array<double, 3> extents(const Region& region) {
+  const auto extent = [](const auto& values, const auto& at) {
+    const auto [least, most] = std::ranges::minmax(values, {}, at);
+    return at(most) - at(least);
+  };
+  const auto x = [](const auto& corner) { return corner[0]; };
+  const auto z = [](const auto& corner) { return corner[1]; };
+  return {extent(region.polygon, x), region.depth[1] - region.depth[0], extent(region.polygon, z)};
+}
+
 } // namespace
+
+Real crushing(const Scene& scene, const Region& region, const Stage& stage) {
+  const auto changed = stage.material.find(region.name);
+  const std::string& name = changed == stage.material.end() ? region.material : changed->second;
+  const auto material = std::ranges::find(scene.materials, name, &Material::name);
+  if (material == scene.materials.end()) return 1.0;
+  const auto own = stage.body_force.find(region.name);
+  const double multiple =
+      stage.gravity.largest() * (own == stage.body_force.end() ? 1.0 : own->second.largest());
+  const std::array<double, 3> length = extents(region);
+  double weight = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (i != 1 || scene.grid.dimension == 3)
+      weight += material->density * multiple * std::abs(scene.gravity[i]) * length[i];
+  const auto moduli = ElasticModuli::from(material->youngs_modulus, material->poissons_ratio);
+  return std::sqrt(std::max(1.0, weight / moduli.p_wave()));
+}
 
 Real critical_speed(const Scene& scene) {
   Real most = 0.0;
   for (const Material& material : scene.materials)
     most = std::max(most, scene.grid.dimension == 2 ? critical_speed_in<2>(scene, material)
                                                     : critical_speed_in<3>(scene, material));
-  return most;
+  const std::vector<Stage> stages = scene.stages.empty() ? std::vector<Stage>(1) : scene.stages;
+  Real faster = 1.0;
+  for (const Stage& stage : stages)
+    for (const Region& region : scene.regions)
+      faster = std::max(faster, crushing(scene, region, stage));
+  return most * faster;
 }
 
 } // namespace scarp

@@ -12,6 +12,11 @@
 // grows without bound as a point nears a cell's end; the step is then the one of a mesh of full
 // cells, h / c with the speed c of P-waves.
 //
+// Stress.  A point's force V0 tau . grad N also changes as the point moves, by a stiffness of the
+// size of tau.  It counts for nothing where the material is soil, but where a body's weight, sum_i
+// rho |b_i| L_i with its extents L_i, is more than the modulus in confined compression, M, so is
+// its stress, and the step is that of a material as stiff as it is heavy.
+//
 // Motion.  A point does not overtake the wall that it falls on: dt v |grad N| h <= h, with the
 // steepest function at a wall (Shape::steepest / h), dt <= h / (steepest v), and dt <= sqrt(h /
 // (steepest b)) where a body force b sets it going.
@@ -37,7 +42,10 @@ Real critical_speed(const ElasticModuli& moduli, Real density, Real half_point) 
   }
 }
 
-/// The largest of a scene's materials.
+/// sqrt(max(1, weight / M)) of a region in a stage: how many times faster its waves count.
+Real crushing(const Scene& scene, const Region& region, const Stage& stage);
+
+/// The largest of a scene's materials, times the largest crushing().
 Real critical_speed(const Scene& scene);
 
 /// s; `wave`: critical_speed, m/s; `fastest`: of the points, m/s; `body_force`: m/s2; `steepest`:

@@ -58,7 +58,7 @@ void stress_pass(State<Dim, Shape>& state, std::uint8_t material, const ElasticM
       points.plastic_strain[p] += plastic.strain;
       points.dissipation[p] += plastic.dissipation;
       const Real grown = dt * (divergence(p) + dilation) - plastic.forgotten;
-      points.J[p] *= (2.0 + grown) / (2.0 - grown);
+      points.J[p] *= std::abs(grown) > 0.5 ? std::exp(grown) : (2.0 + grown) / (2.0 - grown);
     }
   };
   for_each_tile(state, [&](std::size_t tile) { for_each_cell_of(state, tile, update_cell); });

@@ -293,6 +293,33 @@ TEST(Sides, FrictionKeepsImages) {
     }
 }
 
+/// A side that has pressed in a step gives nothing back in the remap: its pairs do not move away
+/// from it, which its force would do work on.
+TEST(Sides, WhatHasPressedIsHeldInTheRemap) {
+  Scene scene = block<2>({4, 1, 4}, 2);
+  scene.grid.walls[2][0] = {WallKind::friction, 0.3};
+  Body<2> body(scene);
+  body.move_at_random();
+  body.gather_momenta();
+  scatter_pass<2, Terms::force>(body.state);
+  advance_momentum_pass(body.state, body.walls, {0.0, -5.0}, 0.0, 0.1);
+  gather_pass<2, true>(body.state, 1.0);
+  remap_velocity_pass(body.state, body.walls, 0.1);
+  const auto& rubs = body.state.nodal.rubs[1][0];
+  const auto& pairs = body.state.contacts[1][0];
+  const Column& v = body.state.nodal.nodes.v[1];
+  std::size_t pressed = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Real mean = 0.5 * (v[static_cast<std::size_t>(pairs[k].outer)] +
+                             v[static_cast<std::size_t>(pairs[k].inner)]);
+    EXPECT_GE(mean, -1e-14);
+    if (!rubs[k].pressed) continue;
+    ++pressed;
+    EXPECT_LE(mean, 1e-14);
+  }
+  EXPECT_GE(pressed, 2U);
+}
+
 /// In a corner of two friction sides neither's friction pushes through the other.
 TEST(Sides, FrictionOfOneDoesNotPushThroughTheOther) {
   Scene scene = block<2>({4, 1, 4}, 2);

@@ -1,6 +1,7 @@
 // The bounds behind the step.
 #include "core/gimp_shape.hpp"
 #include "core/linear_shape.hpp"
+#include "core/simulation.hpp"
 #include "core/spline_shape.hpp"
 #include "core/time_step.hpp"
 #include "tests/support/scenes.hpp"
@@ -67,6 +68,26 @@ TEST(TimeStep, CriticalSpeedsByHand) {
               1e-9 * c);
   EXPECT_NEAR((critical_speed<3, SplineShape<3>>(third, 1000.0, 0.25)), c * std::sqrt(1.5 * 3.0),
               1e-9 * c);
+}
+
+/// 4 m high and 2 m wide with 10 m/s2 downwards, three times that in a stage: 4e4 and 1.2e5 Pa, of
+/// M = 4e4 Pa.  It is as stiff as it is heavy where it is heavier than stiff.
+TEST(TimeStep, CountsAWeightThatCrushes) {
+  Scene scene;
+  scene.grid = grid_2d(0.5, {0.0, 0.0}, {8.0, 8.0});
+  scene.gravity = {0.0, 0.0, -10.0};
+  scene.materials = {elastic("mud", 1000.0, 4e4, 0.0)};
+  scene.regions = {box("hill", "mud", {1.0, 0.0}, {3.0, 4.0})};
+  const Stage own;
+  EXPECT_DOUBLE_EQ(crushing(scene, scene.regions[0], own), 1.0);
+  Stage spun;
+  spun.gravity.points = {{0.0, 1.0}, {1.0, -3.0}};
+  EXPECT_DOUBLE_EQ(crushing(scene, scene.regions[0], spun), std::sqrt(3.0));
+  const double stable = make_simulation(scene)->stable_time_step();
+  spun.name = "spun";
+  spun.duration = 1.0;
+  scene.stages = {spun};
+  EXPECT_LT(make_simulation(scene)->stable_time_step(), 0.7 * stable);
 }
 
 /// dt = h / (c + s v), and sqrt(h / s b) if that is less.
