@@ -103,7 +103,9 @@ constexpr AlongAxis stated(ShapeFunctions shape) {
 }
 
 template <int Dim, class Shape>
-StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double number) {
+StepCost cost_of(AlongAxis axis, VelocityTransfer transfer, double points_of_cell, double number) {
+  const bool affine = transfer != VelocityTransfer::flip,
+             keeps = transfer != VelocityTransfer::apic;
   constexpr int d = Dim, w = Shape::width, n = Shape::nodes, s = d * (d + 1) / 2;
   constexpr int t = tensor_size<Dim>, d2 = d * d;
   const int place = 3 * d, functions = d * axis.functions, derivatives = d * axis.derivatives;
@@ -113,7 +115,9 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
   constexpr int forces = d * lines * (2 * d - 2) + 4 * d * n;
   // Instead of d values.
   constexpr int affine_to_nodes = d2 + 2 * w * d + 2 * d2 * lines + 4 * d * n - d * value;
-  const int affine_of_point = 3 * w * d + d2 * I;
+  const int affine_of_point = 3 * w * d + d2 * I + 2 * d2;
+  // v_p and, of affine transfers, C_p
+  const int kept = (d + (affine ? d2 : 0)) * (I + 4);
 
   StepCost cost;
   const auto set = [&](Phase phase, double flops, double bytes) {
@@ -137,9 +141,9 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
   set(Phase::nodes, ((1 + 2 * d) * lines + 2 + d + d + 4 * d + d) / points_of_cell,
       tile + 2 * neighbours + 3 * node + number / points_of_cell);
   set(Phase::gather,
-      place + functions + products + 2 * d * I + 4 * d + 4 * d + d + d * value +
+      place + functions + products + d * I + (keeps ? kept : 0) + 4 * d + d + d * value +
           d * lines * (w - 1) / points_of_cell + (affine ? affine_of_point + affine_to_nodes : 0),
-      (d + 2 * d + 1) * number + 2 * gradients + moments + node);
+      (d + (keeps ? 2 : 1) * d + 1) * number + (keeps ? 2 : 1) * gradients + moments + node);
   set(Phase::remap, (d * lines + d) / points_of_cell, moments + neighbours + 2 * node);
   // At last the points move, and it is looked whether they leave.
   set(Phase::stress,
@@ -150,11 +154,12 @@ StepCost cost_of(AlongAxis axis, bool affine, double points_of_cell, double numb
 }
 
 template <int Dim>
-StepCost cost_of(ShapeFunctions shape, bool affine, double points_of_cell, double number) {
+StepCost cost_of(ShapeFunctions shape, VelocityTransfer transfer, double points_of_cell,
+                 double number) {
   if (shape == ShapeFunctions::linear)
-    return cost_of<Dim, LinearShape<Dim>>(stated(shape), affine, points_of_cell, number);
+    return cost_of<Dim, LinearShape<Dim>>(stated(shape), transfer, points_of_cell, number);
   if (shape == ShapeFunctions::bspline)
-    return cost_of<Dim, SplineShape<Dim>>(stated(shape), affine, points_of_cell, number);
+    return cost_of<Dim, SplineShape<Dim>>(stated(shape), transfer, points_of_cell, number);
   throw std::invalid_argument("step_cost: linear functions or B-splines");
 }
 
@@ -170,11 +175,10 @@ double StepCost::all_bytes() const { return std::accumulate(bytes.begin(), bytes
 
 StepCost step_cost(int dimension, ShapeFunctions shape, VelocityTransfer transfer,
                    int points_per_cell, std::size_t number_size) {
-  const bool affine = transfer != VelocityTransfer::flip;
   const double points_of_cell = std::pow(points_per_cell, dimension);
   const auto number = static_cast<double>(number_size);
-  return dimension == 2 ? cost_of<2>(shape, affine, points_of_cell, number)
-                        : cost_of<3>(shape, affine, points_of_cell, number);
+  return dimension == 2 ? cost_of<2>(shape, transfer, points_of_cell, number)
+                        : cost_of<3>(shape, transfer, points_of_cell, number);
 }
 
 AxisFlops axis_flops(ShapeFunctions shape) {

@@ -23,10 +23,12 @@
 //   nodes      of a node, and there are 1 / ppc^d of them a point inside a body; every node has n
 //              cells around it: m, V0, m v, f from tiles (2 + 2 d) n, 1 / m and fraction 2, v d,
 //              gravity d, v after the forces 4 d, dv d
-//   gather     place, W, products, 2 d interpolations (v, dv), v_p 4 d, speeds squared 4 d
+//   gather     place, W, products, d interpolations (v), speeds squared 4 d
+//     keeps    (FLIP, AFLIP) d interpolations (dv), v_p 4 d
 //     remap    m v d, to the nodes d A, cells' sums d l (w - 1) a cell
-//     affine   weights of C: x_I - x_p 2 w d, D_p 3 w d, 1 / D_p d, q w d; C d^2 interpolations;
-//              m C, products and to the nodes as in scatter
+//     affine   weights of C: x_I - x_p 2 w d, D_p 3 w d, 1 / D_p d, q w d; C d^2 interpolations,
+//              twice as many and 4 d^2 if it keeps; its square 2 d^2; m C, products and to the
+//              nodes as in scatter
 //   remap      of a node: m v from tiles d n, v d
 //   stress     place, W, D, grad v d^2 interpolations, fraction 1, room 2, the law with its strain
 //              increment and rotation (counted: update_stress() with a scalar that counts), rate of

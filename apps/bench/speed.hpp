@@ -26,7 +26,7 @@ struct SpeedMethod {
   std::size_t number_size() const; ///< B
   std::string shape() const;
   std::string transfer() const;
-  /// Such as "linear" or "bspline apic".
+  /// Such as "linear" or "bspline aflip".
   std::string name() const;
 };
 
@@ -45,7 +45,7 @@ struct SpeedPlan {
   bool rough_roofline = false;
 };
 
-/// Full: 10^4 to 10^7 points in plane strain, to 10^6 in 3-D.  Quick: 2 10^4, under a minute.
+/// Full: 10^4 to 10^7 points in plane strain, to 10^6 in 3-D.  Quick: 10^5, under a minute.
 SpeedPlan speed_plan(Effort effort);
 
 /// One method at one size with one number of threads: medians of the repetitions.

@@ -27,8 +27,9 @@ std::vector<SpeedMethod> speed_methods() {
       {.method = method_with(linear, flip, Precision::single)},
       {.method = method_with(bspline, flip)},
       {.method = method_with(bspline, flip, Precision::single), .most_points = {2e6, 2e6}},
-      {.method = method_with(bspline, apic), .most_points = {2e6, 2e6}},
-      {.method = method_with(bspline, apic, Precision::single), .most_points = {2e5, 2e5}},
+      {.method = method_with(bspline, apic), .most_points = {2e5, 2e5}},
+      {.method = method_with(bspline, aflip), .most_points = {2e6, 2e6}}, // the default
+      {.method = method_with(bspline, aflip, Precision::single), .most_points = {2e5, 2e5}},
   };
 }
 
@@ -92,8 +93,7 @@ SpeedPlan speed_plan(Effort effort) {
   plan.largest_frame = 2e6;
   plan.rough_roofline = effort == Effort::quick;
   if (effort == Effort::quick) {
-    for (const int dimension : {2, 3})
-      plan.sizes.push_back({collapse_of(dimension, 2e4), 20, dimension == 2 ? 60 : 24, 5});
+    plan.sizes = {{collapse_of(2, 1e5), 10, 12, 5}, {collapse_of(3, 1e5), 6, 6, 5}};
     return plan;
   }
   for (const double points : {1e4, 1e5, 1e6, 1e7}) plan.sizes.push_back(full_size(2, points));
@@ -111,14 +111,11 @@ std::vector<SpeedRatio> speed_ratios(const std::vector<SpeedRow>& rows) {
   const auto row = [&](int dimension, const char* name, int threads, double points) {
     return find(rows, dimension, name, "double", threads, points);
   };
-  // The quick mode's one size stands for the usual one.
   const auto usual_row = [&](int dimension, const char* name, int threads) {
-    const SpeedRow* found = row(dimension, name, threads, usual);
-    return found ? found : row(dimension, name, threads, 2e4);
+    return row(dimension, name, threads, usual);
   };
   const auto single_row = [&](int dimension, const char* name) {
-    const SpeedRow* found = find(rows, dimension, name, "single", 1, usual);
-    return found ? found : find(rows, dimension, name, "single", 1, 2e4);
+    return find(rows, dimension, name, "single", 1, usual);
   };
   std::vector<SpeedRatio> ratios;
   const auto add = [&](const std::string& name, const SpeedRow* a, const SpeedRow* b, auto&& value,
@@ -143,9 +140,9 @@ std::vector<SpeedRatio> speed_ratios(const std::vector<SpeedRow>& rows) {
   add("plane strain: cost of B-splines over linear", usual_row(2, "bspline", 1), flat, dearer, "-",
       2.5); // at least 0.4 of the speed
   add("3-D: cost of B-splines over linear", usual_row(3, "bspline", 1), solid, dearer, "-");
-  add("plane strain: cost of APIC over FLIP, B-splines", usual_row(2, "bspline apic", 1),
+  add("plane strain: cost of AFLIP over FLIP, B-splines", usual_row(2, "bspline aflip", 1),
       usual_row(2, "bspline", 1), dearer, "-");
-  add("3-D: cost of APIC over FLIP, B-splines", usual_row(3, "bspline apic", 1),
+  add("3-D: cost of AFLIP over FLIP, B-splines", usual_row(3, "bspline aflip", 1),
       usual_row(3, "bspline", 1), dearer, "-");
   add("cost of 3-D over plane strain, linear", solid, flat, dearer, "-");
   add("plane strain, linear: 2 threads over 1", usual_row(2, "linear", 2), flat, faster, "-", 1.85,
