@@ -25,11 +25,11 @@
 //           leaves a free surface with 2 v.  Where a dense material presses a light one out or
 //           throws it, all its pressure may become the light one's speed (Bernoulli):
 //           sqrt(rho_max/rho_min).  A wave also presses across, with the part r = lambda/(lambda +
-//           2 G) of its stress, which faces there let go with r v, and that once more along with r^2
-//           v; then nothing is left to let go.  So |v_p| <= 2 sqrt((1 + (d - 1) r^2)^2 + (d - 1)
-//           r^2) sqrt(rho_max/rho_min) v, with d the dimension.  (In one dimension 2 v: an elastic
-//           square with nu = 0.4 that meets a smooth wall has points with 2.3, 2.6 and 2.6 v at 20,
-//           40 and 80 cells, where this allows 3.2 v.)
+//           2 G) of its stress, which faces there let go with r v, and that once more along with
+//           r^2 v; then nothing is left to let go.  So |v_p| <= 2 sqrt((1 + (d - 1) r^2)^2 + (d -
+//           1) r^2) sqrt(rho_max/rho_min) v, with d the dimension.  (In one dimension 2 v: an
+//           elastic square with nu = 0.4 that meets a smooth wall has points with 2.3, 2.6 and 2.7
+//           v at 20, 40 and 80 cells, where this allows 3.2 v.)
 //
 // stress    Along a characteristic of the wave equation sigma +- rho c v changes only by the body
 //           force, rho b times the path.  Two waves meet, along every axis at once; of the stress
@@ -37,8 +37,8 @@
 //           G)) max(rho c) v_max + stress_concentration max(rho) b L, with v_max the fastest point
 //           up to now, L the sum of the body's extents and a factor for corners and for the linear
 //           shape functions, whose stress jumps by about the stress itself as a point crosses a
-//           cell.  sigma_m is the mean Kirchhoff stress, tau = J sigma, which the force holds with a
-//           fixed weight.
+//           cell.  sigma_m is the mean Kirchhoff stress, tau = J sigma, which the force holds with
+//           a fixed weight.
 //
 // cut       These two are those of a wave as wide as a square of the lattice, the least that points
 //           resolve.  A square that the body's outline cuts to the part a of its volume: struck by
