@@ -7,9 +7,8 @@
 //                           rest, lambda = nu/(1 - nu), it falls until the soil follows.
 //
 //   |#########|XXX|<-       passive: a piston, stiff and so heavy that the soil hardly slows it,
-//   |  soil   |XXX|<-       moves into the soil.  (A liquid with lambda above 3 rides over the
-//   soil:
-//   |#########|XXX|<-       2.7 at most.)  It moves from the start; gravity rises meanwhile.
+//   |  soil   |XXX|<-       moves into the soil from the start, while gravity rises.  (A liquid
+//   |#########|XXX|<-       with lambda above 3 rides over the soil: 2.7 at most.)
 //
 // Once the soil gives way its ratio of stresses s_xx / s_zz is K_a = tan^2(45 - phi/2) = 1/3, K_p =
 // 3.  The piston's face is rough, as all contact through the grid is.  But on a smooth base every
