@@ -21,10 +21,7 @@ namespace {
 /// What the body is made of during a stage.
 std::vector<Material> materials_in(const Scene& scene, const Stage& stage) {
   std::set<std::string> names;
-  for (const Region& region : scene.regions) {
-    const auto changed = stage.material.find(region.name);
-    names.insert(changed == stage.material.end() ? region.material : changed->second);
-  }
+  for (const Region& region : scene.regions) names.insert(stage.material_of(region));
   std::vector<Material> used;
   for (const Material& material : scene.materials)
     if (names.contains(material.name)) used.push_back(material);

@@ -19,12 +19,8 @@ namespace {
 double largest_multiple(const Scene& scene) {
   if (scene.stages.empty()) return 1.0;
   double most = 0.0;
-  for (const Stage& stage : scene.stages) {
-    double of_region = 1.0;
-    for (const auto& entry : stage.body_force)
-      of_region = std::max(of_region, entry.second.largest());
-    most = std::max(most, stage.gravity.largest() * of_region);
-  }
+  for (const Stage& stage : scene.stages)
+    for (const Region& region : scene.regions) most = std::max(most, stage.largest_gravity(region));
   return most;
 }
 

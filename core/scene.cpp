@@ -31,6 +31,16 @@ double Ramp::largest() const {
   return most;
 }
 
+const std::string& Stage::material_of(const Region& region) const {
+  const auto changed = material.find(region.name);
+  return changed == material.end() ? region.material : changed->second;
+}
+
+double Stage::largest_gravity(const Region& region) const {
+  const auto own = body_force.find(region.name);
+  return gravity.largest() * (own == body_force.end() ? 1.0 : own->second.largest());
+}
+
 Method method_of(Preset preset) {
   Method method;
   method.preset = preset;

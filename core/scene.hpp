@@ -195,6 +195,11 @@ struct Stage {
   /// Where the state to begin from is kept; the stages before this one are then left out.  Empty:
   /// the state of the stage before.
   std::string begin_from;
+
+  /// Name of what a region is made of.
+  const std::string& material_of(const Region& region) const;
+  /// The largest multiple of Scene::gravity that a region bears.
+  double largest_gravity(const Region& region) const;
 };
 
 /// A point to be followed in history.csv: the material point nearest to this place at time 0.

@@ -234,10 +234,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     crushing_ = 1.0;
     for (const Region& region : scene_.regions) {
       crushing_ = std::max(crushing_, crushing(scene_, region, stages_[stage]));
-      const auto changed = stages_[stage].material.find(region.name);
-      const bool own = changed == stages_[stage].material.end();
       material_of_region_.push_back(static_cast<std::uint8_t>(
-          material_index(scene_, region, own ? region.material : changed->second)));
+          material_index(scene_, region, stages_[stage].material_of(region))));
     }
     auto& points = state_.particles;
     points.for_each(

@@ -39,13 +39,10 @@ std::array<double, 3> extents(const Region& region) {
 } // namespace
 
 Real crushing(const Scene& scene, const Region& region, const Stage& stage) {
-  const auto changed = stage.material.find(region.name);
-  const std::string& name = changed == stage.material.end() ? region.material : changed->second;
-  const auto material = std::ranges::find(scene.materials, name, &Material::name);
+  const auto material =
+      std::ranges::find(scene.materials, stage.material_of(region), &Material::name);
   if (material == scene.materials.end()) return 1.0;
-  const auto own = stage.body_force.find(region.name);
-  const double multiple =
-      stage.gravity.largest() * (own == stage.body_force.end() ? 1.0 : own->second.largest());
+  const double multiple = stage.largest_gravity(region);
   const std::array<double, 3> length = extents(region);
   double weight = 0.0;
   for (std::size_t i = 0; i < 3; ++i)

@@ -23,8 +23,6 @@ struct Record : Observer {
   void progress(const Simulation&) override { ++steps; }
 };
 
-Scene small_pile() { return pile(0.04, 0.02, 0.005, 0.12, 0.04); }
-
 } // namespace
 
 /// Frames at every multiple of the interval, computed as such (not summed up), and at the end.
