@@ -122,14 +122,12 @@ template <class Value> struct YieldSurface {
 /// How the rate of shear counts in a return: not at all.  Otherwise see core/evolving_strength.hpp.
 struct RateIndependent {
   /// Shear stress after the step, Pa, from its trial, what the cone bears and the mean stress.
-  template <class T>
-  [[gnu::always_inline]] T shear_stress(const T& tau_trial, const T& cone, const T&) const {
+  template <class T> T shear_stress(const T& tau_trial, const T& cone, const T&) const {
     using std::min;
     return min(tau_trial, cone);
   }
   /// 1/Pa, of the return to the cone.
-  template <class T, class Value>
-  [[gnu::always_inline]] Value inv_hardness(const Value& of_cone, const T&) const {
+  template <class T, class Value> Value inv_hardness(const Value& of_cone, const T&) const {
     return of_cone;
   }
 };

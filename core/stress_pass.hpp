@@ -174,11 +174,11 @@ template <class T> [[gnu::always_inline]] inline Pack<T> growth(const Pack<T>& y
   return factor;
 }
 
-/// The points of one material, which remembers gaps if it `opens`, in one tile.  Moduli and law are
-/// copies: what is only referred to would be read again after every store.
+/// The points of one material, which remembers gaps if it `opens`, in one tile.
 template <int Dim, bool opens, class Law, class Shape>
 [[gnu::hot]] void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
-                              std::uint8_t material, ElasticModuli moduli, Law law, Real dt) {
+                              std::uint8_t material, const ElasticModuli& moduli, const Law& law,
+                              Real dt) {
   using T = typename Shape::Number;
   Particles<Dim, T>& points = state.particles;
   const TileLanes<Dim, Shape> tile(state, number_of_tile);
@@ -188,11 +188,11 @@ template <int Dim, bool opens, class Law, class Shape>
     const std::size_t row = rank.row;
     const auto own = tile.filled(rank) && tile.of_material(rank, material);
     if (none_of(own)) continue;
-    // What empty rows get is what they have: their velocity gradient is 0.
-    const bool whole = all_of(own || !tile.filled(rank));
-    const auto store = [&](Pack<T> values, ColumnOf<T> & column) __attribute__((always_inline)) {
-      if (!whole) where(!own, values) = load_lanes(&column[row]);
-      store_lanes(values, &column[row]);
+    const auto store = [&](const Pack<T>& values, ColumnOf<T>& column)
+        __attribute__((always_inline)) {
+      Pack<T> all = load_lanes(&column[row]);
+      where(own, all) = values;
+      store_lanes(all, &column[row]);
     };
     const auto along = Shape::along(tile.local_position(rank), tile.stencil());
     const Mat<Dim, Pack<T>> grad_v = velocity_gradients(state, tile, along, rank);
