@@ -63,9 +63,12 @@ void draw_model(const fs::path& file, const io::Frame& first, const Scene& scene
     style.notes.push_back(fmt::format("friction angle {:.1f}\u00b0, cohesion {:.3g} Pa",
                                       law->friction_angle, law->cohesion));
     if (law->rate_strengthening > 0)
-      style.notes.push_back(
-          fmt::format("shear over mean stress grows by {:.3g} I, rods of {:.3g} mm",
-                      law->rate_strengthening, 1e3 * law->grain_diameter));
+      style.notes.push_back(fmt::format(
+          "shear over mean stress grows by {:.3g} I{}, rods of {:.3g} mm", law->rate_strengthening,
+          std::isinf(law->rate_strengthening_limit)
+              ? ""
+              : fmt::format(", {:.3g} at most", law->rate_strengthening_limit),
+          1e3 * law->grain_diameter));
   }
   render::write_png(file, render::render_model(first, style));
 }
@@ -113,6 +116,9 @@ const std::map<std::string, PileModel>& pile_models() {
   const std::string base = R"(walls.z_lower={kind = "friction", coefficient = 0.36})";
   static const std::map<std::string, PileModel> models = {
       {"published", {"as in Wu 2017", {}}},
+      {"disks",
+       {"it grows up to a limit, as in columns of disks",
+        {"material.rods.rate_strengthening=0.7", "material.rods.rate_strengthening_limit=0.28"}}},
       {"inertial", {"friction grows with the inertial number", {rate}}},
       {"inertial_sliding", {"the same, and the base bears the rods' own friction", {rate, base}}}};
   return models;

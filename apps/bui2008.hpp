@@ -15,7 +15,9 @@ struct PileModel {
 };
 /// published: as in Wu 2017.  The others add what that leaves out, with values from elsewhere:
 /// inertial: friction that grows with the rate of shear.  inertial_sliding: also a base that bears
-/// what the rods' own friction does instead of holding them.
+/// what the rods' own friction does instead of holding them.  disks: friction that grows up to a
+/// limit, 0.28 / (1 + 0.4/I), with which columns of disks collapse as in simulations grain by grain
+/// (Lagree, Staron & Popinet 2011, doi 10.1017/jfm.2011.335).
 const std::map<std::string, PileModel>& pile_models();
 
 struct Bui2008Options {

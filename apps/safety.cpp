@@ -118,8 +118,7 @@ Material reduced(const Material& material, double factor) {
 StrengthReduction::StrengthReduction(Scene scene, FailureRule rule)
     : scene_(std::move(scene)), rule_(rule), own_equilibrium_(scene_.stages.size() < 2),
       height_(height_of(scene_)) {
-  const std::vector<Material> materials =
-      materials_in(scene_, scene_.stages.empty() ? Stage{} : scene_.stages.back());
+  const std::vector<Material> materials = materials_in(scene_, stages_of(scene_).back());
   if (std::ranges::none_of(materials, [](const Material& material) {
         return std::holds_alternative<DruckerPrager>(material.law);
       }))

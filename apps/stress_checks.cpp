@@ -17,11 +17,20 @@ namespace {
 
 /// Of the scene's gravity, over all stages and regions.
 double largest_multiple(const Scene& scene) {
-  if (scene.stages.empty()) return 1.0;
   double most = 0.0;
-  for (const Stage& stage : scene.stages)
+  for (const Stage& stage : stages_of(scene))
     for (const Region& region : scene.regions) most = std::max(most, stage.largest_gravity(region));
   return most;
+}
+
+/// Whether a side holds what moves along it.
+bool holds_along(const Grid& grid) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == 1 && grid.dimension == 2) continue;
+    for (const Wall& wall : grid.walls[i])
+      if (wall.kind == WallKind::fixed || wall.kind == WallKind::friction) return true;
+  }
+  return false;
 }
 
 double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
@@ -97,7 +106,7 @@ StressLimits stress_limits(const Scene& scene) {
       limits.dilation = std::max(limits.dilation,
                                  std::sqrt(3.0) * cone_of(law->cone, law->dilation_angle, 0.0)[0]);
     limits.waves = std::max(limits.waves, grid.dimension * moduli.bulk / moduli.p_wave());
-    const double r = 1.0 - 2.0 * moduli.shear / moduli.p_wave(); // lambda/(lambda + 2 G)
+    const double r = holds_along(grid) ? 1.0 : 1.0 - 2.0 * moduli.shear / moduli.p_wave();
     const double along = 1.0 + (grid.dimension - 1) * r * r;
     limits.across =
         std::max(limits.across, std::sqrt(along * along + (grid.dimension - 1) * r * r));

@@ -122,13 +122,16 @@ template <class Value> struct YieldSurface {
 /// How the rate of shear counts in a return: not at all.  Otherwise see core/evolving_strength.hpp.
 struct RateIndependent {
   /// Shear stress after the step, Pa, from its trial, what the cone bears and the mean stress.
-  template <class T> T shear_stress(const T& tau_trial, const T& cone, const T&) const {
+  template <class T>
+  [[gnu::always_inline]] T shear_stress(const T& tau_trial, const T& cone, const T&) const {
     using std::min;
     return min(tau_trial, cone);
   }
-  /// 1/Pa, of the return to the cone.
-  template <class T, class Value> Value inv_hardness(const Value& of_cone, const T&) const {
-    return of_cone;
+  /// -, plastic multiplier of the return to the cone, from how far the trial is beyond it (Pa), its
+  /// 1/hardness (1/Pa), and the mean stress.
+  template <class T, class Value>
+  [[gnu::always_inline]] T multiplier(const T& beyond, const Value& inv_hardness, const T&) const {
+    return beyond * inv_hardness;
   }
 };
 
@@ -170,7 +173,7 @@ return_to(const YieldSurface<Value>& surface, const ReturnModuli& moduli, SymTen
   const T mean_open = mean_trial + bulk * gap;
   // Of the cone alone.
   const T multiplier =
-      max(tau_trial - (k - q * mean_open), T(0.0F)) * rate.inv_hardness(inv_hardness, mean_open);
+      rate.multiplier(max(tau_trial - (k - q * mean_open), T(0.0F)), inv_hardness, mean_open);
   const T mean_cone = mean_open - bulk_q_psi * multiplier;
   const T mean = min(mean_cone, T(cut_off));
   const T tau = max(rate.shear_stress(tau_trial, T(k - q * mean), mean), T(0.0F));

@@ -13,11 +13,16 @@
 //   tau = k + (q + b I) p,  I = gamma' d sqrt(rho / p)  (the inertial number),
 // the linear law of dense flows of disks, with b of order 1 (da Cruz, Emam, Prochnow, Roux &
 // Chevoir 2005, doi 10.1103/PhysRevE.72.021309; MiDi 2004, doi 10.1140/epje/i2003-10153-0).  b I p
-// = eta gamma' with the viscosity eta = b d sqrt(rho p).  The plastic shear of a step being
-// gamma = (tau_trial - tau) / G, the law at the end of the step is linear in tau,
-//   tau = (cone + r tau_trial) / (1 + r),  r = eta / (G dt):
-// implicit, so that it asks for no shorter step.  Pressure is that after the return; for the
-// dilation of the step, that before it.
+// = eta gamma' with the viscosity eta = b d sqrt(rho p).  Faster flows resist less than that: with
+// a limit l the slope's growth is b I / (1 + b I / l) (Jop, Forterre & Pouliquen 2006, doi
+// 10.1038/nature04801: l = mu_2 - mu_s, b = l / I_0).
+//
+// The law holds at the end of the step, so that it asks for no shorter one.  The plastic shear of
+// the step being s / G, s = tau_trial - tau, what is beyond the cone, e, is borne by that and by
+// the rate,
+//   e = a s + r s / (1 + r s / (l p)),  r = eta / (G dt),
+// with a = 1, or 1 + K q q_psi / G where dilation presses: a quadratic equation in s.  Pressure is
+// that after the return; for the dilation of the step, that before it.
 #pragma once
 
 #include "core/drucker_prager.hpp"
@@ -33,6 +38,7 @@ struct EvolvingStrengthUpdate {
   Cones initial;
   Cones change;         ///< from the initial to the residual state
   Real rate_resistance; ///< kg^0.5 m^-0.5, b d sqrt(rho)
+  Real inv_limit;       ///< -, 1 / l
 
   /// density: kg/m3.
   static EvolvingStrengthUpdate from(const DruckerPrager& law, const ElasticModuli& moduli,
@@ -45,24 +51,35 @@ struct EvolvingStrengthUpdate {
             1.0 / (law.residual.residual_strain - law.residual.peak_strain),
             first,
             {last.q - first.q, last.k - first.k, last.q_psi - first.q_psi},
-            law.rate_strengthening * law.grain_diameter * std::sqrt(density)};
+            law.rate_strengthening * law.grain_diameter * std::sqrt(density),
+            1.0 / law.rate_strengthening_limit};
   }
 
   template <class T> struct Rate {
     T resistance; ///< Pa^-0.5, r / sqrt(p)
+    T inv_limit;  ///< -, 1 / l
     T shear;      ///< Pa
 
-    [[gnu::always_inline]] T r(const T& mean) const {
+    /// Pa, s >= 0; see above.
+    [[gnu::always_inline]] T slip(const T& e, const T& a, const T& mean) const {
       using std::max, std::sqrt;
-      return resistance * sqrt(max(-mean, T(0.0F)));
+      const T pressure = max(-mean, 1e-12F * shear); // below it nothing is borne
+      const T root_p = sqrt(pressure);
+      const T r = resistance * root_p, by_limit = resistance * inv_limit / root_p; // r / (l p)
+      // a by_limit s^2 + b s = e, by that formula for s which cancels nothing.
+      const T b = a + r - e * by_limit;
+      const T root = sqrt(b * b + 4.0F * a * by_limit * e);
+      constexpr auto least = std::numeric_limits<typename NumberIn<T>::type>::min();
+      return choose(b >= 0.0F, 2.0F * e / max(b + root, T(least)),
+                    (root - b) / max(2.0F * a * by_limit, T(least)));
     }
     [[gnu::always_inline]] T shear_stress(const T& tau_trial, const T& cone, const T& mean) const {
-      using std::max, std::min;
-      const T resisting = r(mean);
-      return min(tau_trial, (max(cone, T(0.0F)) + resisting * tau_trial) / (1.0F + resisting));
+      using std::max;
+      return tau_trial - slip(max(tau_trial - max(cone, T(0.0F)), T(0.0F)), T(1.0F), mean);
     }
-    [[gnu::always_inline]] T inv_hardness(const T& of_cone, const T& mean) const {
-      return of_cone / (1.0F + of_cone * shear * r(mean));
+    [[gnu::always_inline]] T multiplier(const T& beyond, const T& inv_hardness,
+                                        const T& mean) const {
+      return slip(beyond, 1.0F / (inv_hardness * shear), mean) / shear;
     }
   };
 
@@ -94,7 +111,8 @@ struct EvolvingStrengthUpdate {
     return {moduli,
             {q, k, min(T(number<T>(cut_off)), apex), bulk_q_psi,
              1.0F / (number<T>(shear) + bulk_q_psi * q)},
-            {T(number<T>(rate_resistance / (shear * dt))), T(number<T>(shear))}};
+            {T(number<T>(rate_resistance / (shear * dt))), T(number<T>(inv_limit)),
+             T(number<T>(shear))}};
   }
 };
 

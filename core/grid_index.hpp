@@ -54,6 +54,8 @@ template <int Dim> struct GridIndex {
   std::array<int, most_corners> corner_offset = {};
   int cell_count;
   int node_count;
+  /// Whether points cannot pass a side, by axis and side: all but free ones.
+  std::array<std::array<bool, 2>, Dim> closed = {};
   /// Whether a side does more than to hold its nodes, by axis and side: see Walls.
   std::array<std::array<bool, 2>, Dim> acts = {};
 
@@ -72,6 +74,7 @@ template <int Dim> struct GridIndex {
       node_count *= nodes[i];
       for (std::size_t side = 0; side < 2; ++side) {
         const WallKind kind = grid.walls[scene_axis<Dim>(a)][side].kind;
+        closed[i][side] = kind != WallKind::free;
         acts[i][side] =
             kind == WallKind::friction || (layout == NodeLayout::spline && kind != WallKind::free);
       }

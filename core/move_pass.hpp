@@ -8,12 +8,19 @@
 // gravity does to points is then what it does to nodes, and for a steady v* = R (v* + dt f/m), with
 // the transfers there and back as a symmetric R between 0 and 1, the power f . v* of what is not in
 // balance is never negative, so nothing at rest gains energy.
+//
+// At sides.  What is held has no velocity at the side itself, v(d) = d g with the distance d, so no
+// path dd/dt = d g ends beyond it, but a step d + dt v does where dt g < -1: where forces have
+// thrown a node so fast within one step that its length, which follows the speeds before it
+// (core/time_step.hpp), was too long.  Such a point goes the path to its end, to d exp(dt v/d), as
+// its volume does for such a strain (core/stress_pass.hpp), rather than through the side.
 #pragma once
 
 #include "core/rank_weights.hpp"
 #include "core/state.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scarp {
 
@@ -27,6 +34,19 @@ struct LostPoints {
 template <int Dim, class Shape> const auto& moving_velocity(const State<Dim, Shape>& state) {
   return state.nodal.remapped && !state.moves_with_strain ? state.nodal.nodes.dv
                                                           : state.nodal.nodes.v;
+}
+
+/// m, where a point gets to along an axis that a step would take to `to`: see above.  Steps of more
+/// than a cell are none that the time step allows, and stay.
+template <int Dim>
+Real short_of_sides(const GridIndex<Dim>& grid, std::size_t axis, Real from, Real to) {
+  const Real cells = grid.cells[axis], x = grid.scaled(from, axis);
+  const Real step = grid.scaled(to, axis) - x, left = cells - x;
+  if (x + step < 0.0 && step > -1.0 && grid.closed[axis][0])
+    return grid.lower[axis] + grid.h * (x * std::exp(step / x));
+  if (x + step >= cells && step < 1.0 && grid.closed[axis][1])
+    return grid.lower[axis] + grid.h * (cells - left * std::exp(-step / left));
+  return to;
 }
 
 /// The points of one tile, except those that would leave the grid.
@@ -52,14 +72,24 @@ template <int Dim, class Shape>
       const Places xi = state.grid.scaled(x[i], i);
       inside = inside && xi >= 0.0 && xi < static_cast<Real>(state.grid.cells[i]);
     });
+    if (auto leaves = tile.filled_places(rank) && !inside; any_of(leaves)) {
+      for (std::size_t lane = 0; lane < tile_cells<T>; ++lane) {
+        if (!leaves[lane]) continue;
+        Vec<Dim> to;
+        for (std::size_t i = 0; i < Dim; ++i) {
+          to[i] = short_of_sides(state.grid, i, tile.position(rank, i)[lane], x[i][lane]);
+          x[i][lane] = to[i];
+        }
+        inside[lane] = state.grid.contains(to);
+      }
+      if (leaves = leaves && !inside; any_of(leaves)) note(leaves, rank.row, lost.outside);
+    }
     const auto goes = inside && tile.filled_places(rank);
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
       Places all = tile.position(rank, i);
       where(goes, all) = x[i];
       all.copy_to(&points.x[i][rank.row], std::experimental::element_aligned);
     });
-    if (const auto stays = tile.filled_places(rank) && !inside; any_of(stays))
-      note(stays, rank.row, lost.outside);
     if (const auto bad = !(load_lanes(&points.J[rank.row]) > 0.0F); any_of(bad))
       note(bad, rank.row, lost.turned_over);
   }

@@ -75,7 +75,7 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
   using T = typename Shape::Number;
   Nodes<Dim, T>& nodes = state.nodal.nodes;
   state.nodal.remapped = false;
-  const auto add_up_masses = [&](const auto& run) {
+  const auto add_up_masses = [&](const auto& run) __attribute__((always_inline)) {
     const auto first = static_cast<std::size_t>(run.node);
     const Pack<T> m = add_up<Dim, Shape>(run, state.nodal.sums.m);
     store_lanes(m, &nodes.m[first], run.count);
@@ -99,7 +99,7 @@ void gather_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls) {
         add_images(state, walls, nodes.inv_m, [](const auto&) { return T(1); });
         add_images(state, walls, nodes.v);
       },
-      [&](const auto& run, std::size_t) {
+      [&](const auto& run, std::size_t) __attribute__((always_inline)) {
         T* at = &nodes.inv_m[static_cast<std::size_t>(run.node)];
         const Pack<T> m = load_lanes(at);
         Pack<T> inverse = 1.0F / m;
@@ -128,7 +128,7 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
   state.nodal.damped.assign(state.order.node_runs().size(), 0.0);
   for (auto& drag : nodes.drag)
     drag.resize(damping > 0.0 && state.moves_with_strain ? nodes.m.size() : 0);
-  const auto force = [&](const auto& run) {
+  const auto force = [&](const auto& run) __attribute__((always_inline)) {
     const Pack<T> m = load_lanes(&nodes.m[static_cast<std::size_t>(run.node)]);
     std::array<Pack<T>, Dim> f;
     for (std::size_t i = 0; i < Dim; ++i)
@@ -137,7 +137,7 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
   };
   const auto advance = [&](const auto& run, std::size_t number_of_run,
                            const std::array<Pack<T>, Dim>& f, Real damped_part,
-                           const std::array<Pack<T>, Dim>& unbalanced) {
+                           const std::array<Pack<T>, Dim>& unbalanced) __attribute__((always_inline)) {
     const auto first = static_cast<std::size_t>(run.node);
     const Pack<T> inv_m = load_lanes(&nodes.inv_m[first]);
     std::array<Pack<T>, Dim> before, drag;
@@ -176,13 +176,13 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
     });
     add_images(state, walls, nodes.f);
   }
-  const auto exchanged = [&](const auto& run) {
+  const auto exchanged = [&](const auto& run) __attribute__((always_inline)) {
     std::array<Pack<T>, Dim> f;
     for (std::size_t i = 0; i < Dim; ++i)
       f[i] = load_lanes(&nodes.f[i][static_cast<std::size_t>(run.node)]);
     return f;
   };
-  const auto all_forces = [&](const auto& run) { return exchange ? exchanged(run) : force(run); };
+  const auto all_forces = [&](const auto& run) __attribute__((always_inline)) { return exchange ? exchanged(run) : force(run); };
   if (damping == 0.0 || walls.friction().empty()) {
     for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
       const std::array<Pack<T>, Dim> f = all_forces(run);

@@ -51,10 +51,17 @@ Method method_of(Preset preset) {
   return method;
 }
 
+std::vector<Stage> stages_of(const Scene& scene) {
+  if (!scene.stages.empty()) return scene.stages;
+  Stage only;
+  only.duration = scene.timing.end_time;
+  only.until_rest = scene.timing.rest_energy_fraction > 0.0;
+  return {only};
+}
+
 double end_time(const Scene& scene) {
-  if (scene.stages.empty()) return scene.timing.end_time;
   double end = 0.0;
-  for (const Stage& stage : scene.stages) end += stage.duration;
+  for (const Stage& stage : stages_of(scene)) end += stage.duration;
   return end;
 }
 

@@ -76,6 +76,8 @@ struct DruckerPrager {
   Softening residual;
 
   double rate_strengthening = 0.0; ///< -, growth of the cone's slope with the inertial number
+  /// -, the most that the slope grows by
+  double rate_strengthening_limit = std::numeric_limits<double>::infinity();
   double grain_diameter = 0.0;     ///< m, in the inertial number
 
   /// The law of the residual state.
@@ -236,7 +238,10 @@ struct Scene {
 
 Method method_of(Preset preset);
 
-/// s, when the run ends at the latest if it began at time 0: that of the timing, or of all stages.
+/// A scene's stages; of a scene without any, the one that its timing describes.
+std::vector<Stage> stages_of(const Scene& scene);
+
+/// s, when the run ends at the latest if it began at time 0: that of all stages.
 double end_time(const Scene& scene);
 
 } // namespace scarp

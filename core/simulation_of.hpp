@@ -38,14 +38,6 @@ inline bool remembers_gaps(const Scene& scene) {
   });
 }
 
-inline std::vector<Stage> stages_of(const Scene& scene) {
-  if (!scene.stages.empty()) return scene.stages;
-  Stage only;
-  only.duration = scene.timing.end_time;
-  only.until_rest = scene.timing.rest_energy_fraction > 0.0;
-  return {only};
-}
-
 /// Where the core's stress components stand among xx yy zz xy yz xz of the scene's axes.
 template <int Dim>
 constexpr std::array<std::size_t, tensor_size<Dim>> stress_place = [] {

@@ -77,33 +77,33 @@ template <int Dim, class T>
 template <int Dim, class Shape> class TileLanes {
   using T = typename Shape::Number;
   using Order = CellOrder<Dim, Shape::width, tile_cells<T>>;
+  using Counts = Lanes<std::uint32_t, tile_cells<T>>;
 
  public:
   using Places = Lanes<Real, tile_cells<T>>;
   [[gnu::always_inline]] TileLanes(const State<Dim, Shape>& state, std::size_t tile)
       : state_(state), tile_(state.order.tiles()[tile]),
         stencil_(state.grid, tile_.along, state.half_point),
-        count_([this](auto lane) { return static_cast<T>(tile_.count[lane]); }) {}
+        count_(Counts(tile_.count.data(), std::experimental::element_aligned)) {}
 
   using Rank = typename Order::Rank;
 
   auto ranks() const { return state_.order.ranks(tile_); }
   /// Lanes with a point of this rank.
   [[gnu::always_inline]] auto filled(const Rank& rank) const {
-    return count_ > static_cast<T>(rank.number);
+    return std::experimental::static_simd_cast<Pack<T>>(count_) > static_cast<T>(rank.number);
   }
   /// Rows of a rank with this material; empty ones have material 0.
   [[gnu::always_inline]] auto of_material(const Rank& rank, std::uint8_t material) const {
-    const std::uint8_t* of_rows = &state_.particles.material[rank.row];
-    const Pack<T> own([&](auto lane) { return static_cast<T>(of_rows[lane]); });
-    return own == static_cast<T>(material);
+    const Lanes<std::uint8_t, tile_cells<T>> of_rows(&state_.particles.material[rank.row],
+                                                     std::experimental::element_aligned);
+    return std::experimental::static_simd_cast<Pack<T>>(of_rows) == static_cast<T>(material);
   }
   const StencilCell<Dim>& stencil() const { return stencil_; } ///< of the first cell
 
   /// The same for numbers in double precision.
   [[gnu::always_inline]] auto filled_places(const Rank& rank) const {
-    const Places count([this](auto lane) { return static_cast<Real>(tile_.count[lane]); });
-    return count > static_cast<Real>(rank.number);
+    return std::experimental::static_simd_cast<Places>(count_) > static_cast<Real>(rank.number);
   }
   /// m, of a rank's points along an axis.
   [[gnu::always_inline]] Places position(const Rank& rank, std::size_t axis) const {
@@ -133,7 +133,7 @@ template <int Dim, class Shape> class TileLanes {
   const State<Dim, Shape>& state_;
   const typename Order::Tile& tile_;
   StencilCell<Dim> stencil_;
-  Pack<T> count_;
+  Counts count_;
 };
 
 /// Calls visit(run, its number) for every run of active nodes, on all threads.

@@ -174,11 +174,11 @@ template <class T> [[gnu::always_inline]] inline Pack<T> growth(const Pack<T>& y
   return factor;
 }
 
-/// The points of one material, which remembers gaps if it `opens`, in one tile.
+/// The points of one material, which remembers gaps if it `opens`, in one tile.  Moduli and law are
+/// copies: what is only referred to would be read again after every store.
 template <int Dim, bool opens, class Law, class Shape>
 [[gnu::hot]] void stress_tile(State<Dim, Shape>& state, std::size_t number_of_tile,
-                              std::uint8_t material, const ElasticModuli& moduli, const Law& law,
-                              Real dt) {
+                              std::uint8_t material, ElasticModuli moduli, Law law, Real dt) {
   using T = typename Shape::Number;
   Particles<Dim, T>& points = state.particles;
   const TileLanes<Dim, Shape> tile(state, number_of_tile);

@@ -57,9 +57,8 @@ Real critical_speed(const Scene& scene) {
   for (const Material& material : scene.materials)
     most = std::max(most, scene.grid.dimension == 2 ? critical_speed_in<2>(scene, material)
                                                     : critical_speed_in<3>(scene, material));
-  const std::vector<Stage> stages = scene.stages.empty() ? std::vector<Stage>(1) : scene.stages;
   Real faster = 1.0;
-  for (const Stage& stage : stages)
+  for (const Stage& stage : stages_of(scene))
     for (const Region& region : scene.regions)
       faster = std::max(faster, crushing(scene, region, stage));
   return most * faster;

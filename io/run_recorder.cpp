@@ -105,8 +105,7 @@ std::vector<PlanLine> RunRecorder::plan() const {
   const std::size_t skipped = field_table().size() - fields.size();
   std::vector<std::string> monitors;
   for (const Monitor& monitor : scene_.monitors) monitors.push_back(monitor.name);
-  const bool until_rest =
-      scene_.stages.empty() ? timing.rest_energy_fraction > 0.0 : scene_.stages.back().until_rest;
+  const bool until_rest = stages_of(scene_).back().until_rest;
   const std::string end = fmt::format("{:.6g} s", end_time(scene_));
   return {
       {"frames", fmt::format("every {:.4g} s, to which steps are cut; written by another thread, "

@@ -229,6 +229,8 @@ void check_evolution(const std::string& key, const DruckerPrager& soil, SceneRep
       soil.grain_diameter == 0.0)
     report.problem(key + ".rate_strengthening",
                    "has no effect without grain_diameter_m, the diameter of the grains");
+  if (given(soil.rate_strengthening_limit) && soil.rate_strengthening == 0.0)
+    report.problem(key + ".rate_strengthening_limit", "has no effect without rate_strengthening");
 }
 
 void check_materials(const std::vector<Material>& materials, SceneReport& report) {

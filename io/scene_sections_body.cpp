@@ -185,6 +185,11 @@ Section<Material> material_section() {
                   "Growth of shear over mean stress with the inertial number, grain_diameter_m "
                   "times the rate of shear times sqrt(density / pressure); about 1 for disks.")),
               only_with<DruckerPrager>(number<Material>(
+                  "rate_strengthening_limit", "", of_law(&DruckerPrager::rate_strengthening_limit),
+                  {.above = 0, .infinity = "none"},
+                  "The most that shear over mean stress grows by; 0.26 for beads, 0.28 for "
+                  "disks.")),
+              only_with<DruckerPrager>(number<Material>(
                   "grain_diameter_m", "m", of_law(&DruckerPrager::grain_diameter), {.at_least = 0},
                   "Diameter of the grains in the inertial number.")),
           },

@@ -18,6 +18,9 @@ template <int Dim, class Shape> LostPoints move_pass(State<Dim, Shape>& state, R
         const auto v = at_nodes(state, cell, moving_velocity(state)[i]);
         for (std::size_t c = 0; c < Shape::nodes; ++c) x[i] += dt * shape.N[c] * v(c);
       }
+      if (!state.grid.contains(x))
+        for (std::size_t i = 0; i < Dim; ++i)
+          x[i] = short_of_sides(state.grid, i, points.x[i][p], x[i]);
       if (!(points.J[p] > 0.0)) lost.turned_over = std::min(lost.turned_over, points.id[p]);
       if (state.grid.contains(x))
         for (std::size_t i = 0; i < Dim; ++i) points.x[i][p] = x[i];

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace scarp;
 
@@ -134,6 +136,47 @@ TEST(EvolvingStrength, SteadyShearGivesTheInertialLaw) {
         EXPECT_NEAR(shear_of(done.stress), expected, 1e-9 * pressure) << rate << " " << dt;
         EXPECT_NEAR(mean_of(done.stress), -pressure, 1e-9 * pressure);
       }
+}
+
+/// tau = k + (q + b I / (1 + b I / l)) p.
+TEST(EvolvingStrength, SteadyShearGivesTheLimitedLaw) {
+  DruckerPrager law = sand();
+  law.rate_strengthening = 0.7;
+  law.rate_strengthening_limit = 0.28;
+  law.grain_diameter = 0.002;
+  const auto [q, k] = cone_of(law.cone, law.friction_angle, law.cohesion);
+  for (const Real rate : {1.0, 100.0, 1e4}) // I = 0.004 to 45
+    for (const Real pressure : {500.0, 5000.0})
+      for (const Real dt : {1e-6, 1e-4}) {
+        const int steps = std::max(10, static_cast<int>(0.5 / (rate * dt)));
+        const Sheared done = shear(update_of(law), pressure, rate, dt, steps);
+        const Real inertial = 0.7 * 0.002 * rate * std::sqrt(density / pressure);
+        const Real expected = k + (q + inertial / (1.0 + inertial / 0.28)) * pressure;
+        EXPECT_NEAR(shear_of(done.stress), expected, 1e-9 * pressure) << rate << " " << dt;
+      }
+}
+
+/// What is beyond the cone is shared out exactly, whatever of it counts: e from 1e-6 to 1e6 Pa at
+/// pressures down to none, with a limit, without, and with dilation (a > 1).
+TEST(EvolvingStrength, SharesOutWhatIsBeyondTheCone) {
+  const auto check = [](auto zero, Real tolerance) {
+    using T = decltype(zero);
+    for (const Real limit : {0.28, 1e-3, std::numeric_limits<Real>::infinity()})
+      for (const Real resistance : {0.0, 1e-4, 0.1, 10.0})
+        for (const Real pressure : {-50.0, 0.0, 1e-3, 1.0, 1e5})
+          for (const Real a : {1.0, 1.5})
+            for (Real e = 1e-6; e < 2e6; e *= 10.0) {
+              const EvolvingStrengthUpdate::Rate<T> rate = {
+                  static_cast<T>(resistance), static_cast<T>(1.0 / limit), static_cast<T>(1e6)};
+              const Real s = rate.slip(static_cast<T>(e), static_cast<T>(a),
+                                       static_cast<T>(-pressure));
+              const Real p = std::max(pressure, Real(1e-12F) * 1e6), r = resistance * std::sqrt(p);
+              EXPECT_NEAR(a * s + r * s / (1.0 + r * s / (limit * p)), e, tolerance * e)
+                  << limit << ' ' << resistance << ' ' << pressure << ' ' << a;
+            }
+  };
+  check(0.0, 1e-12);
+  check(0.0F, 2e-5);
 }
 
 /// Zero rate of shear dissipates nothing more; what is dissipated is tau gamma' when steady.

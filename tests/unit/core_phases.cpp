@@ -19,7 +19,7 @@ class Record final : public PhaseWatch {
   std::vector<Phase> phases;
 };
 
-Scene small_pile(Scheme scheme) {
+Scene coarse_pile(Scheme scheme) {
   Scene scene = pile(0.2, 0.1, 0.01, 0.4, 0.15);
   scene.method.scheme = scheme;
   return scene;
@@ -33,7 +33,7 @@ std::size_t memory_of(double cell_size) {
 
 TEST(Phases, AreToldOnceAStepInOrder) {
   using enum Phase;
-  const auto simulation = make_simulation(small_pile(Scheme::musl));
+  const auto simulation = make_simulation(coarse_pile(Scheme::musl));
   Record record;
   simulation->watch(&record);
   simulation->step(1.0);
@@ -49,7 +49,7 @@ TEST(Phases, AreToldOnceAStepInOrder) {
 TEST(Phases, OfAllSchemesEndWithTheMotion) {
   using enum Phase;
   for (const Scheme scheme : {Scheme::usf, Scheme::usl}) {
-    const auto simulation = make_simulation(small_pile(scheme));
+    const auto simulation = make_simulation(coarse_pile(scheme));
     Record record;
     simulation->watch(&record);
     simulation->step(1.0);
@@ -62,8 +62,8 @@ TEST(Phases, OfAllSchemesEndWithTheMotion) {
 }
 
 TEST(Phases, WatchingChangesNothing) {
-  const auto watched = make_simulation(small_pile(Scheme::musl));
-  const auto alone = make_simulation(small_pile(Scheme::musl));
+  const auto watched = make_simulation(coarse_pile(Scheme::musl));
+  const auto alone = make_simulation(coarse_pile(Scheme::musl));
   Record record;
   watched->watch(&record);
   for (int k = 0; k < 50; ++k) {

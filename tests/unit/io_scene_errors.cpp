@@ -284,6 +284,10 @@ const Case cases[] = {
      "friction_angle_deg = 25\nrate_strengthening = 1",
      {"22:22: material.soil.rate_strengthening: has no effect without grain_diameter_m, the "
       "diameter of the grains"}},
+    {"LimitWithoutRate",
+     "friction_angle_deg = 25",
+     "friction_angle_deg = 25\nrate_strengthening_limit = 0.28",
+     {"22:28: material.soil.rate_strengthening_limit: has no effect without rate_strengthening"}},
     {"NotAName",
      "name = \"soil\"",
      "name = \"1 soil\"",

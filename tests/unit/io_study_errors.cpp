@@ -87,7 +87,8 @@ const Case cases[] = {
       "'bulk_modulus_Pa', 'cohesion_Pa', 'friction_angle_deg', 'dilation_angle_deg', 'cone', "
       "'tension_cutoff_Pa', 'opening', 'residual_plastic_strain', 'peak_plastic_strain', "
       "'residual_cohesion_Pa', 'residual_friction_angle_deg', 'residual_dilation_angle_deg', "
-      "'rate_strengthening' and 'grain_diameter_m' (did you mean 'cohesion_Pa'?)"}},
+      "'rate_strengthening', 'rate_strengthening_limit' and 'grain_diameter_m' (did you mean "
+      "'cohesion_Pa'?)"}},
     {"UnknownMaterialOfTheScene",
      "soil.cohesion_Pa",
      "siol.cohesion_Pa",
