@@ -135,9 +135,9 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       f[i] = add_up<Dim, Shape>(run, state.nodal.sums.f[i]) + m * number<T>(gravity[i]);
     return f;
   };
-  const auto advance = [&](const auto& run, std::size_t number_of_run,
-                           const std::array<Pack<T>, Dim>& f, Real damped_part,
-                           const std::array<Pack<T>, Dim>& unbalanced) __attribute__((always_inline)) {
+  const auto advance = [&](
+      const auto& run, std::size_t number_of_run, const std::array<Pack<T>, Dim>& f,
+      Real damped_part, const std::array<Pack<T>, Dim>& unbalanced) __attribute__((always_inline)) {
     const auto first = static_cast<std::size_t>(run.node);
     const Pack<T> inv_m = load_lanes(&nodes.inv_m[first]);
     std::array<Pack<T>, Dim> before, drag;
@@ -182,7 +182,9 @@ void advance_momentum_pass(State<Dim, Shape>& state, const Walls<Dim>& walls,
       f[i] = load_lanes(&nodes.f[i][static_cast<std::size_t>(run.node)]);
     return f;
   };
-  const auto all_forces = [&](const auto& run) __attribute__((always_inline)) { return exchange ? exchanged(run) : force(run); };
+  const auto all_forces = [&](const auto& run) __attribute__((always_inline)) {
+    return exchange ? exchanged(run) : force(run);
+  };
   if (damping == 0.0 || walls.friction().empty()) {
     for_each_node_run(state, [&](const auto& run, std::size_t number_of_run) {
       const std::array<Pack<T>, Dim> f = all_forces(run);

@@ -78,7 +78,7 @@ struct DruckerPrager {
   double rate_strengthening = 0.0; ///< -, growth of the cone's slope with the inertial number
   /// -, the most that the slope grows by
   double rate_strengthening_limit = std::numeric_limits<double>::infinity();
-  double grain_diameter = 0.0;     ///< m, in the inertial number
+  double grain_diameter = 0.0; ///< m, in the inertial number
 
   /// The law of the residual state.
   DruckerPrager at_residual() const;

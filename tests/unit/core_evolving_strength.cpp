@@ -168,8 +168,8 @@ TEST(EvolvingStrength, SharesOutWhatIsBeyondTheCone) {
             for (Real e = 1e-6; e < 2e6; e *= 10.0) {
               const EvolvingStrengthUpdate::Rate<T> rate = {
                   static_cast<T>(resistance), static_cast<T>(1.0 / limit), static_cast<T>(1e6)};
-              const Real s = rate.slip(static_cast<T>(e), static_cast<T>(a),
-                                       static_cast<T>(-pressure));
+              const Real s =
+                  rate.slip(static_cast<T>(e), static_cast<T>(a), static_cast<T>(-pressure));
               const Real p = std::max(pressure, Real(1e-12F) * 1e6), r = resistance * std::sqrt(p);
               EXPECT_NEAR(a * s + r * s / (1.0 + r * s / (limit * p)), e, tolerance * e)
                   << limit << ' ' << resistance << ' ' << pressure << ' ' << a;
