@@ -66,6 +66,13 @@ Option<Material> softening(const std::string& key, const std::string& unit,
   return only_with<DruckerPrager>(number<Material>(key, unit, of, range, help));
 }
 
+Option<Material> rate_limit() {
+  return only_with<DruckerPrager>(number<Material>(
+      "rate_strengthening_limit", "", of_law(&DruckerPrager::rate_strengthening_limit),
+      {.above = 0, .infinity = "none"},
+      "The most that shear over mean stress grows by; 0.28 for disks."));
+}
+
 Option<Material> bulk_modulus() {
   const Range range{.above = 0};
   return instead_of<Material>(
@@ -126,84 +133,70 @@ Section<Material> material_section() {
   const Range poisson{.above = -1, .below = 0.5, .hint = "0.5 is incompressible: take 0.49"};
   // Young's modulus follows from the bulk modulus and Poisson's ratio, which is therefore read
   // first.
-  return {.name = "material",
-          .help = "A material; one [[material]] for each.",
-          .options =
-              {
-                  name<Material>("What regions call it."),
-                  required(law_option()),
-                  required(number<Material>("density_kg_m3", "kg/m3", &Material::density,
-                                            {.above = 0}, "Density before loading.")),
-                  required(number<Material>("poissons_ratio", "", &Material::poissons_ratio,
-                                            poisson, "Poisson's ratio nu.")),
-                  required(number<Material>("youngs_modulus_Pa", "Pa", &Material::youngs_modulus,
-                                            {.above = 0}, "Young's modulus E.")),
-                  bulk_modulus(),
-                  only_with<DruckerPrager>(required(
-                      number<Material>("cohesion_Pa", "Pa", of_law(&DruckerPrager::cohesion),
-                                       {.at_least = 0}, "Cohesion c of Mohr-Coulomb."))),
-                  only_with<DruckerPrager>(required(number<Material>(
-                      "friction_angle_deg", "deg", of_law(&DruckerPrager::friction_angle),
-                      {.at_least = 0, .below = 90}, "Friction angle of Mohr-Coulomb."))),
-                  only_with<DruckerPrager>(number<Material>(
-                      "dilation_angle_deg", "deg", of_law(&DruckerPrager::dilation_angle),
-                      {.at_least = 0, .below = 90}, "Dilation angle, at most the friction angle.")),
-                  only_with<DruckerPrager>(word<Material, Cone>(
-                      "cone", of_law(&DruckerPrager::cone),
-                      {{"inscribed", Cone::inscribed},
-                       {"circumscribed", Cone::circumscribed},
-                       {"plane_strain", Cone::plane_strain}},
-                      "Which cone stands for Mohr-Coulomb: inscribed or "
-                      "circumscribed in the pi plane, or matched in plane strain.")),
-                  only_with<DruckerPrager>(number<Material>(
-                      "tension_cutoff_Pa", "Pa", of_law(&DruckerPrager::tension_cutoff),
-                      {.at_least = 0, .infinity = "the apex of the cone"},
-                      "Largest mean stress, tension positive; the apex bounds it.")),
-                  only_with<DruckerPrager>(word<Material, Opening>(
-                      "opening", of_law(&DruckerPrager::opening),
-                      {{"forgotten", Opening::forgotten}, {"remembered", Opening::remembered}},
-                      "Whether a gap opened at the tension cut-off has to close before the "
-                      "material "
-                      "bears pressure again.")),
-                  softening(
-                      "residual_plastic_strain", "", &Softening::residual_strain,
-                      {.above = 0, .infinity = "it does not soften"},
-                      "Equivalent plastic strain at which strength and dilation have gone over "
-                      "to their residual values, linearly."),
-                  softening("peak_plastic_strain", "", &Softening::peak_strain, {.at_least = 0},
-                            "Equivalent plastic strain at which this begins."),
-                  softening("residual_cohesion_Pa", "Pa", &Softening::cohesion,
-                            {.at_least = 0, .infinity = "as at first"},
-                            "Cohesion after softening."),
-                  softening("residual_friction_angle_deg", "deg", &Softening::friction_angle,
-                            {.at_least = 0, .below = 90, .infinity = "as at first"},
-                            "Friction angle after softening."),
-                  softening("residual_dilation_angle_deg", "deg", &Softening::dilation_angle,
-                            {.at_least = 0, .below = 90, .infinity = "as at first"},
-                            "Dilation angle after softening; 0: a critical state."),
-                  only_with<DruckerPrager>(
-                      number<Material>(
-                          "rate_strengthening",
-                          "", of_law(&DruckerPrager::rate_strengthening), {.at_least = 0},
-                          "Growth of shear over mean stress with the inertial number, "
-                          "grain_diameter_m "
-                          "times the rate of shear times sqrt(density / pressure); about 1 for "
-                          "disks.")),
-                  only_with<DruckerPrager>(
-                      number<Material>(
-                          "rate_strengthening_limit",
-                          "", of_law(&DruckerPrager::rate_strengthening_limit),
-                          {.above = 0, .infinity = "none"},
-                          "The most that shear over mean stress grows by; 0.26 for beads, 0.28 for "
-                          "disks.")),
-                  only_with<DruckerPrager>(
-                      number<Material>(
-                          "grain_diameter_m",
-                          "m",
-                          of_law(&DruckerPrager::grain_diameter), {.at_least = 0},
-                          "Diameter of the grains in the inertial number.")),
-              },
-          .needed = true};
+  return {
+      .name = "material",
+      .help = "A material; one [[material]] for each.",
+      .options =
+          {
+              name<Material>("What regions call it."),
+              required(law_option()),
+              required(number<Material>("density_kg_m3", "kg/m3", &Material::density, {.above = 0},
+                                        "Density before loading.")),
+              required(number<Material>("poissons_ratio", "", &Material::poissons_ratio, poisson,
+                                        "Poisson's ratio nu.")),
+              required(number<Material>("youngs_modulus_Pa", "Pa", &Material::youngs_modulus,
+                                        {.above = 0}, "Young's modulus E.")),
+              bulk_modulus(),
+              only_with<DruckerPrager>(
+                  required(number<Material>("cohesion_Pa", "Pa", of_law(&DruckerPrager::cohesion),
+                                            {.at_least = 0}, "Cohesion c of Mohr-Coulomb."))),
+              only_with<DruckerPrager>(required(number<Material>(
+                  "friction_angle_deg", "deg", of_law(&DruckerPrager::friction_angle),
+                  {.at_least = 0, .below = 90}, "Friction angle of Mohr-Coulomb."))),
+              only_with<DruckerPrager>(number<Material>(
+                  "dilation_angle_deg", "deg", of_law(&DruckerPrager::dilation_angle),
+                  {.at_least = 0, .below = 90}, "Dilation angle, at most the friction angle.")),
+              only_with<DruckerPrager>(word<Material, Cone>(
+                  "cone", of_law(&DruckerPrager::cone),
+                  {{"inscribed", Cone::inscribed},
+                   {"circumscribed", Cone::circumscribed},
+                   {"plane_strain", Cone::plane_strain}},
+                  "Which cone stands for Mohr-Coulomb: inscribed or "
+                  "circumscribed in the pi plane, or matched in plane strain.")),
+              only_with<DruckerPrager>(number<Material>(
+                  "tension_cutoff_Pa", "Pa", of_law(&DruckerPrager::tension_cutoff),
+                  {.at_least = 0, .infinity = "the apex of the cone"},
+                  "Largest mean stress, tension positive; the apex bounds it.")),
+              only_with<DruckerPrager>(word<Material, Opening>(
+                  "opening", of_law(&DruckerPrager::opening),
+                  {{"forgotten", Opening::forgotten}, {"remembered", Opening::remembered}},
+                  "Whether a gap opened at the tension cut-off has to close before the material "
+                  "bears pressure again.")),
+              softening("residual_plastic_strain", "", &Softening::residual_strain,
+                        {.above = 0, .infinity = "it does not soften"},
+                        "Equivalent plastic strain at which strength and dilation have gone over "
+                        "to their residual values, linearly."),
+              softening("peak_plastic_strain", "", &Softening::peak_strain, {.at_least = 0},
+                        "Equivalent plastic strain at which this begins."),
+              softening("residual_cohesion_Pa", "Pa", &Softening::cohesion,
+                        {.at_least = 0, .infinity = "as at first"}, "Cohesion after softening."),
+              softening("residual_friction_angle_deg", "deg", &Softening::friction_angle,
+                        {.at_least = 0, .below = 90, .infinity = "as at first"},
+                        "Friction angle after softening."),
+              softening("residual_dilation_angle_deg", "deg", &Softening::dilation_angle,
+                        {.at_least = 0, .below = 90, .infinity = "as at first"},
+                        "Dilation angle after softening; 0: a critical state."),
+              only_with<DruckerPrager>(number<Material>(
+                  "rate_strengthening", "", of_law(&DruckerPrager::rate_strengthening),
+                  {.at_least = 0},
+                  "Growth of shear over mean stress with the inertial number, grain_diameter_m "
+                  "times the rate of shear times sqrt(density / pressure); about 1 for disks.")),
+              rate_limit(),
+              only_with<DruckerPrager>(number<Material>(
+                  "grain_diameter_m", "m", of_law(&DruckerPrager::grain_diameter), {.at_least = 0},
+                  "Diameter of the grains in the inertial number.")),
+          },
+      .needed = true};
 }
 
 Section<Region> region_section() {
