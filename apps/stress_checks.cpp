@@ -132,10 +132,12 @@ StressLimits stress_limits(const Scene& scene) {
     limits.weight += heaviest * limits.body_force * (upper[i] - lower[i]);
 
   const double end = end_time(scene);
+  double wave = 0.0;
+  for (const Stage& stage : stages_of(scene)) wave = std::max(wave, critical_speed(scene, stage));
   const double shortest =
       std::min(scene.timing.max_time_step,
-               scene.timing.cfl * critical_step(grid.cell_size, critical_speed(scene),
-                                                limits.fastest(end), limits.body_force, 2.0));
+               scene.timing.cfl * critical_step(grid.cell_size, wave, limits.fastest(end),
+                                                limits.body_force, 2.0));
   // Frames, gates and stages cut a step in two.
   limits.steps = 1.01 * end / shortest + 100.0;
   return limits;

@@ -13,16 +13,14 @@ using AnyUpdate = std::variant<ElasticUpdate, DruckerPragerUpdate, EvolvingStren
 
 struct MaterialModel {
   ElasticModuli moduli;
-  Real density; ///< kg/m3, before loading
   AnyUpdate update;
   bool opens = false; ///< remembers gaps
 
   explicit MaterialModel(const Material& material)
-      : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)),
-        density(material.density) {
+      : moduli(ElasticModuli::from(material.youngs_modulus, material.poissons_ratio)) {
     if (const auto* law = std::get_if<DruckerPrager>(&material.law)) {
       if (law->evolves())
-        update = EvolvingStrengthUpdate::from(*law, moduli, density);
+        update = EvolvingStrengthUpdate::from(*law, moduli, material.density);
       else
         update = DruckerPragerUpdate::from(*law, moduli);
       opens = law->opening == Opening::remembered;

@@ -165,13 +165,8 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   double stable_time_step() const override {
-    Real wave = 0.0;
-    for (const std::uint8_t material : material_of_region_)
-      wave = std::max(wave,
-                      critical_speed<Dim, Shape>(materials_[material].moduli,
-                                                 materials_[material].density, state_.half_point));
     return std::min(scene_.timing.max_time_step,
-                    scene_.timing.cfl * critical_step(state_.grid.h, crushing_ * wave, fastest_,
+                    scene_.timing.cfl * critical_step(state_.grid.h, wave_, fastest_,
                                                       loads_.largest(), Shape::steepest));
   }
 
@@ -223,12 +218,10 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     stage_start_ = time_;
     loads_.begin_stage(stages_[stage], time_);
     material_of_region_.clear();
-    crushing_ = 1.0;
-    for (const Region& region : scene_.regions) {
-      crushing_ = std::max(crushing_, crushing(scene_, region, stages_[stage]));
+    for (const Region& region : scene_.regions)
       material_of_region_.push_back(static_cast<std::uint8_t>(
           material_index(scene_, region, stages_[stage].material_of(region))));
-    }
+    wave_ = critical_speed(scene_, stages_[stage]);
     auto& points = state_.particles;
     points.for_each(
         [&](std::size_t p) { points.material[p] = material_of_region_[points.region[p]]; });
@@ -353,7 +346,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   Loads<Dim> loads_;
   std::vector<MaterialModel> materials_;
   std::vector<std::uint8_t> material_of_region_; ///< in the present stage
-  Real crushing_ = 1.0; ///< core/time_step.hpp, the most of the present stage's regions
+  Real wave_ = 0.0;                              ///< m/s, critical_speed of the present stage
   std::size_t stage_ = 0;
   double stage_start_ = 0.0;               ///< s
   std::optional<Equilibrium> equilibrium_; ///< that the run began with

@@ -26,6 +26,13 @@ template <int Dim> Real critical_speed_in(const Scene& scene, const Material& ma
   return critical_speed<Dim, LinearShape<Dim>>(moduli, material.density, half_point);
 }
 
+/// None if no material has the name.
+const Material* material_in(const Scene& scene, const Region& region, const Stage& stage) {
+  const auto material =
+      std::ranges::find(scene.materials, stage.material_of(region), &Material::name);
+  return material == scene.materials.end() ? nullptr : &*material;
+}
+
 std::array<double, 3> extents(const Region& region) {
   const auto extent = [](const auto& values, const auto& at) {
     const auto [least, most] = std::ranges::minmax(values, {}, at);
@@ -39,9 +46,8 @@ std::array<double, 3> extents(const Region& region) {
 } // namespace
 
 Real crushing(const Scene& scene, const Region& region, const Stage& stage) {
-  const auto material =
-      std::ranges::find(scene.materials, stage.material_of(region), &Material::name);
-  if (material == scene.materials.end()) return 1.0;
+  const Material* material = material_in(scene, region, stage);
+  if (material == nullptr) return 1.0;
   const double multiple = stage.largest_gravity(region);
   const std::array<double, 3> length = extents(region);
   double weight = 0.0;
@@ -52,15 +58,14 @@ Real crushing(const Scene& scene, const Region& region, const Stage& stage) {
   return std::sqrt(std::max(1.0, weight / moduli.p_wave()));
 }
 
-Real critical_speed(const Scene& scene) {
-  Real most = 0.0;
-  for (const Material& material : scene.materials)
-    most = std::max(most, scene.grid.dimension == 2 ? critical_speed_in<2>(scene, material)
-                                                    : critical_speed_in<3>(scene, material));
-  Real faster = 1.0;
-  for (const Stage& stage : stages_of(scene))
-    for (const Region& region : scene.regions)
-      faster = std::max(faster, crushing(scene, region, stage));
+Real critical_speed(const Scene& scene, const Stage& stage) {
+  Real most = 0.0, faster = 1.0;
+  for (const Region& region : scene.regions) {
+    if (const Material* material = material_in(scene, region, stage))
+      most = std::max(most, scene.grid.dimension == 2 ? critical_speed_in<2>(scene, *material)
+                                                      : critical_speed_in<3>(scene, *material));
+    faster = std::max(faster, crushing(scene, region, stage));
+  }
   return most * faster;
 }
 

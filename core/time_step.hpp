@@ -45,8 +45,8 @@ Real critical_speed(const ElasticModuli& moduli, Real density, Real half_point) 
 /// sqrt(max(1, weight / M)) of a region in a stage: how many times faster its waves count.
 Real crushing(const Scene& scene, const Region& region, const Stage& stage);
 
-/// The largest of a scene's materials, times the largest crushing().
-Real critical_speed(const Scene& scene);
+/// Of a stage: the largest of what its regions are made of, times the largest crushing().
+Real critical_speed(const Scene& scene, const Stage& stage);
 
 /// s; `wave`: critical_speed, m/s; `fastest`: of the points, m/s; `body_force`: m/s2; `steepest`:
 /// of the shape functions.
