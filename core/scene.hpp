@@ -150,7 +150,8 @@ struct Method {
   VelocityTransfer transfer = VelocityTransfer::flip;
   Precision precision = Precision::double_precision;
   InitialStress initial_stress = InitialStress::none;
-  /// Part of FLIP in the velocity update, 1 - flip of PIC; no part of it in VelocityTransfer::apic.
+  /// Part of FLIP in the velocity update of a step with a CFL number of 0.3 (flip_of_step,
+  /// core/time_step.hpp), the rest is PIC; no part of it in VelocityTransfer::apic.
   double flip = 1.0;
   double affine_flip = 0.5;   ///< the same of aflip
   double local_damping = 0.0; ///< Cundall's non-viscous damping, 0 .. 1

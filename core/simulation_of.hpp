@@ -165,9 +165,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
   }
 
   double stable_time_step() const override {
-    return std::min(scene_.timing.max_time_step,
-                    scene_.timing.cfl * critical_step(state_.grid.h, wave_, fastest_,
-                                                      loads_.largest(), Shape::steepest));
+    return std::min(scene_.timing.max_time_step, scene_.timing.cfl * critical_time_step());
   }
 
   Energies energies() const override;
@@ -274,17 +272,25 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
           materials_[k].update);
   }
 
-  /// Part of FLIP in the velocity update.
+  /// s
+  double critical_time_step() const {
+    return critical_step(state_.grid.h, wave_, fastest_, loads_.largest(), Shape::steepest);
+  }
+
+  /// Part of FLIP in the velocity update of this step.
   Real flip() const {
-    switch (scene_.method.transfer) {
+    const Method& method = scene_.method;
+    const Real cfl =
+        std::min(scene_.timing.cfl, scene_.timing.max_time_step / critical_time_step());
+    switch (method.transfer) {
     case VelocityTransfer::apic:
       return 0.0;
     case VelocityTransfer::aflip:
-      return scene_.method.affine_flip;
+      return flip_of_step(method.affine_flip, cfl);
     case VelocityTransfer::flip:
       break;
     }
-    return scene_.method.flip;
+    return flip_of_step(method.flip, cfl);
   }
 
   /// m/s, of the fastest point now.  It is forgotten slowly: where the step follows what swings, it

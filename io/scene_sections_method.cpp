@@ -98,10 +98,12 @@ Section<Method> method_section() {
               {{"none", InitialStress::none}, {"static", InitialStress::equilibrium}},
               "The stress at time 0: none, or that of the static equilibrium under the loads of "
               "time 0. Strains, displacements and gaps count from there."),
-          number<Method>("flip", "", &Method::flip, {.at_least = 0, .at_most = 1},
-                         "Part of FLIP in what points keep; the rest is PIC. Used by flip."),
+          number<Method>(
+              "flip", "", &Method::flip, {.at_least = 0, .at_most = 1},
+              "Part of FLIP in what points keep in a step with time.cfl = 0.3, the rest is "
+              "PIC; flip^(cfl / 0.3) with another. Used by flip."),
           number<Method>("affine_flip", "", &Method::affine_flip, {.at_least = 0, .at_most = 1},
-                         "Part of FLIP in what points keep; the rest is APIC. Used by aflip."),
+                         "The same of aflip, where the rest is APIC."),
           number<Method>("local_damping", "", &Method::local_damping, {.at_least = 0, .below = 1},
                          "Cundall's non-viscous damping of the nodal forces."),
           number<Method>("settling_damping", "", &Method::settling_damping,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 using namespace scarp;
@@ -95,4 +96,37 @@ TEST(TimeStep, IsThatOfWavesMotionAndGravity) {
   EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 0.0, 2.0), 0.05);
   EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 1.0, 2.0), 0.05);
   EXPECT_DOUBLE_EQ(critical_step(0.5, 8.0, 1.0, 1e4, 2.0), 0.005);
+}
+
+/// What the grid does not see of velocities dies off as flip^(t / 0.3 h/c), whatever the steps: two
+/// points a cell between two walls, to and fro, whose momenta cancel at every node.
+TEST(TimeStep, BlendsFlipInTime) {
+  constexpr double v = 1e-9, flip = 0.9;
+  Scene scene;
+  scene.grid = grid_2d(1.0, {0.0, 0.0}, {2.0, 2.0});
+  scene.grid.walls[0][0].kind = scene.grid.walls[0][1].kind = WallKind::symmetry;
+  scene.gravity = {0.0, 0.0, 0.0};
+  scene.materials = {elastic("foam", 1000.0, 1e3, 0.2)};
+  for (int k = 0; k < 4; ++k)
+    scene.regions.push_back(box("column " + std::to_string(k), "foam", {0.5 * k, 0.0},
+                                {0.5 * (k + 1), 2.0}, {k % 2 == 0 ? v : -v, 0.0, 0.0}));
+  scene.method.flip = flip;
+  scene.timing.end_time = 1e9;
+  const auto left_after = [&](double cfl, double longest, int steps) {
+    scene.timing.cfl = cfl;
+    scene.timing.max_time_step = longest;
+    const auto simulation = make_simulation(scene);
+    for (int k = 0; k < steps; ++k) simulation->step(scene.timing.end_time);
+    const std::vector<double> now = component_of(simulation->field("velocity"), 3, 0);
+    EXPECT_NEAR(std::abs(now.front()), std::abs(now.back()), 1e-6 * v);
+    return std::abs(now.front()) / v;
+  };
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const double left = std::pow(flip, 8);
+  EXPECT_NEAR(left_after(0.3, any, 8), left, 1e-6);
+  EXPECT_NEAR(left_after(0.15, any, 16), left, 1e-6);
+  EXPECT_NEAR(left_after(0.6, any, 4), left, 1e-6);
+  scene.timing.cfl = 0.3;
+  const double half_step = 0.5 * make_simulation(scene)->stable_time_step();
+  EXPECT_NEAR(left_after(0.9, half_step, 16), left, 1e-6);
 }

@@ -176,7 +176,8 @@ TEST(SceneFile, JsonHasEveryValueUsed) {
   const nlohmann::ordered_json json = scene_to_json(read_scene(data / "scenes" / "bui2008.toml"));
   EXPECT_EQ(json["gravity_m_s2"], (nlohmann::ordered_json{0.0, -9.81}));
   EXPECT_EQ(json["walls"]["z_lower"], "fixed");
-  EXPECT_EQ(json["time"]["cfl"], 0.3);
+  EXPECT_EQ(json["time"]["cfl"], 0.7);
+  EXPECT_EQ(json["time"]["history_interval_s"], 0.0);
   EXPECT_EQ(json["time"]["max_step_s"], "inf");
   EXPECT_EQ(json["material"][0]["tension_cutoff_Pa"], "inf");
   EXPECT_FALSE(json["material"][0].contains("bulk_modulus_Pa"));
