@@ -49,6 +49,16 @@ render::Curve pareto_front(const std::vector<WorkRun>& runs, Work work) {
   return curve;
 }
 
+/// Of all methods of all charts, each once.
+std::vector<std::string> every_name() {
+  std::vector<std::string> names;
+  for (const auto& plans :
+       {every_method(Effort::full, {}), landslide_methods(Effort::full, {}, std::nullopt)})
+    for (const WorkPlan& plan : plans)
+      if (std::ranges::find(names, plan.method) == names.end()) names.push_back(plan.method);
+  return names;
+}
+
 /// The same for a method in every chart.
 render::Curve curve_of(const std::string& method) {
   using enum render::Marker;
@@ -58,9 +68,8 @@ render::Curve curve_of(const std::string& method) {
   constexpr std::array colours = {render::palette::blue,   render::palette::vermilion,
                                   render::palette::green,  render::palette::purple,
                                   render::palette::orange, render::palette::sky};
-  static const std::vector<WorkPlan> all = every_method(Effort::full, {});
-  const auto k =
-      static_cast<std::size_t>(std::ranges::find(all, method, &WorkPlan::method) - all.begin());
+  static const std::vector<std::string> all = every_name();
+  const auto k = static_cast<std::size_t>(std::ranges::find(all, method) - all.begin());
   render::Curve curve;
   curve.label = method;
   curve.colour = colours[k % colours.size()];

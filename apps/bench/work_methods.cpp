@@ -72,8 +72,10 @@ std::vector<WorkPlan> landslide_methods(Effort effort, const std::vector<int>& l
       {"B-spline", method(bspline), levels},
       {"B-spline, APIC", method(bspline, apic), levels},
       {"B-spline, AFLIP", method(bspline, aflip), of_presets}};
-  if (effort == Effort::full)
-    all.push_back({"B-spline, AFLIP, single precision", in_single(method(bspline, aflip)), levels});
+  if (effort == Effort::quick) return all;
+  all.push_back({"B-spline, AFLIP, single precision", in_single(method(bspline, aflip)), levels});
+  all.push_back({"linear, CFL 0.7", with_cfl(method(linear), 0.7), levels});
+  all.push_back({"B-spline, AFLIP, CFL 0.7", with_cfl(method(bspline, aflip), 0.7), levels});
   return all;
 }
 
