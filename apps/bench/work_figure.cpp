@@ -73,8 +73,10 @@ render::Curve curve_of(const std::string& method) {
   render::Curve curve;
   curve.label = method;
   curve.colour = colours[k % colours.size()];
-  curve.line = lines[k / colours.size() % lines.size()];
-  curve.marker = markers[k / colours.size() % markers.size()];
+  // Each round of lines has other markers than the one before, so that no two curves look alike.
+  const std::size_t round = k / colours.size();
+  curve.line = lines[round % lines.size()];
+  curve.marker = markers[(round + round / lines.size()) % markers.size()];
   curve.weight = 0.9;
   return curve;
 }
