@@ -51,6 +51,10 @@ Method method_of(Preset preset) {
   return method;
 }
 
+double usual_cfl(const Method& method) {
+  return method.transfer == VelocityTransfer::flip ? 0.3 : 0.7;
+}
+
 std::vector<Stage> stages_of(const Scene& scene) {
   if (!scene.stages.empty()) return scene.stages;
   Stage only;

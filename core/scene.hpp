@@ -239,6 +239,11 @@ struct Scene {
 
 Method method_of(Preset preset);
 
+/// The CFL number where a scene gives none: 0.7 with affine transfers, whose step is short enough
+/// wherever the points lie (core/time_step.hpp); 0.3 with others: at 0.7 USF gains energy and USL
+/// throws points (tests/verification/elastic_bar.cpp and rotating_disc.cpp with that number).
+double usual_cfl(const Method& method);
+
 /// A scene's stages; of a scene without any, the one that its timing describes.
 std::vector<Stage> stages_of(const Scene& scene);
 

@@ -42,6 +42,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 
   Scene scene = default_scene();
   for_each_section(scene, SectionReader(table, section_names(), dimension_of(table), report));
+  if (!table.at_path("time.cfl")) scene.timing.cfl = usual_cfl(scene.method);
   check_scene(scene, report);
   if (std::vector<std::string> problems = report.lines(); !problems.empty())
     throw SceneError(std::move(problems));

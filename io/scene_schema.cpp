@@ -45,6 +45,7 @@ const SceneSchema& scene_schema() {
 Scene default_scene() {
   Scene scene;
   scene.method = method_of(Preset::accurate);
+  scene.timing.cfl = usual_cfl(scene.method);
   return scene;
 }
 

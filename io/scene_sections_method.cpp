@@ -36,7 +36,7 @@ Option<Method> preset_option() {
 } // namespace
 
 Section<Timing> time_section() {
-  return {
+  Section<Timing> section = {
       .name = "time",
       .help = "Length of the run and of its steps.",
       .options = {
@@ -46,7 +46,8 @@ Section<Timing> time_section() {
           number<Timing>("history_interval_s", "s", &Timing::history_interval, {.at_least = 0},
                          "Time between rows of history.csv; 0: a tenth of output_interval_s."),
           number<Timing>("cfl", "", &Timing::cfl, {.above = 0, .at_most = 1},
-                         "Time step as a part of the critical one."),
+                         "Time step as a part of the critical one; 0.3 where it is not given and "
+                         "method.transfer is flip."),
           number<Timing>("max_step_s", "s", &Timing::max_time_step,
                          {.above = 0, .infinity = "no limit"}, "Largest time step."),
           number<Timing>("rest_energy_fraction", "", &Timing::rest_energy_fraction,
@@ -56,6 +57,8 @@ Section<Timing> time_section() {
           number<Timing>("rest_duration_s", "s", &Timing::rest_duration, {.at_least = 0},
                          "How long the scene must be at rest; see rest_energy_fraction."),
       }};
+  for (Option<Timing>& option : section.options) option.example = default_scene().timing;
+  return section;
 }
 
 Section<Method> method_section() {

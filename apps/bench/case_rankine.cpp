@@ -54,6 +54,7 @@ Scene soil_and(const Material& other, const Region& beside, double width, double
   scene.gravity = {0.0, 0.0, -g};
   scene.method = method_of(Preset::accurate);
   scene.method.local_damping = 0.5;
+  scene.timing.cfl = usual_cfl(scene.method);
   scene.regions = {box("soil", "soil", {0.0, 0.0}, {height, height}), beside};
   return scene;
 }

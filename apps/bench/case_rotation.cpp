@@ -88,6 +88,7 @@ render::Curve free_disc(VelocityTransfer transfer, const std::string& name) {
   scene.method.shape = ShapeFunctions::bspline;
   scene.method.transfer = transfer;
   if (transfer == VelocityTransfer::apic) scene.method.scheme = Scheme::usl;
+  scene.timing.cfl = usual_cfl(scene.method);
   Region disc;
   disc.name = disc.material = "disc";
   for (int i = 0; i < corners; ++i)

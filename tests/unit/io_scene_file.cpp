@@ -126,6 +126,17 @@ TEST(SceneFile, PresetIsWhereTheMethodStarts) {
   EXPECT_EQ(changed.transfer, VelocityTransfer::aflip);
 }
 
+TEST(SceneFile, StepIsTheMethodsWhereNotGiven) {
+  const std::filesystem::path slope = data / "scenes" / "wu2017.toml";
+  const auto cfl = [&](const std::vector<std::string>& set) {
+    return read_scene(slope, set).timing.cfl;
+  };
+  EXPECT_EQ(cfl({}), 0.3) << "flip";
+  EXPECT_EQ(cfl({"method.preset=accurate"}), 0.7);
+  EXPECT_EQ(cfl({"method.preset=accurate", "method.transfer=flip"}), 0.3);
+  EXPECT_EQ(cfl({"method.preset=accurate", "time.cfl=0.4"}), 0.4);
+}
+
 TEST(SceneFile, ReadsEveryOption) {
   const Scene scene = read_scene(write_file(fresh_directory() / "full.toml", full_3d));
   EXPECT_EQ(scene.title, "A \"block\"\t\\ on a slope");
