@@ -7,7 +7,8 @@ namespace scarp {
 
 template <int Dim, int width, std::size_t tile_cells>
 template <class T>
-void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
+void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles,
+                                               const std::vector<std::uint8_t>& left) {
   if (tiles_.empty()) return rebuild(particles);
   const std::size_t before = tiles_.size();
   const auto n = static_cast<std::int64_t>(before);
@@ -18,7 +19,8 @@ void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles) {
     Leaving& out = leaving_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
     for (std::int64_t slot = 0; slot < n; ++slot)
-      take_out(static_cast<std::uint32_t>(slot), particles, out);
+      if (left.empty() || left[static_cast<std::size_t>(slot)] != 0)
+        take_out(static_cast<std::uint32_t>(slot), particles, out);
   }
   for (const Leaving& out : leaving_) {
     idle_.insert(idle_.end(), out.ranks.begin(), out.ranks.end());
@@ -300,15 +302,25 @@ template class CellOrder<3, 3, tile_cells<Real>>;
 template class CellOrder<3, 3, tile_cells<float>>;
 template class CellOrder<3, 4, tile_cells<Real>>;
 
-template void CellOrder<2, 2, tile_cells<Real>>::update(Particles<2>&);
-template void CellOrder<2, 3, tile_cells<Real>>::update(Particles<2>&);
-template void CellOrder<2, 4, tile_cells<Real>>::update(Particles<2>&);
-template void CellOrder<3, 2, tile_cells<Real>>::update(Particles<3>&);
-template void CellOrder<3, 3, tile_cells<Real>>::update(Particles<3>&);
-template void CellOrder<3, 4, tile_cells<Real>>::update(Particles<3>&);
-template void CellOrder<2, 2, tile_cells<float>>::update(Particles<2, float>&);
-template void CellOrder<2, 3, tile_cells<float>>::update(Particles<2, float>&);
-template void CellOrder<3, 2, tile_cells<float>>::update(Particles<3, float>&);
-template void CellOrder<3, 3, tile_cells<float>>::update(Particles<3, float>&);
+template void CellOrder<2, 2, tile_cells<Real>>::update(Particles<2>&,
+                                                        const std::vector<std::uint8_t>&);
+template void CellOrder<2, 3, tile_cells<Real>>::update(Particles<2>&,
+                                                        const std::vector<std::uint8_t>&);
+template void CellOrder<2, 4, tile_cells<Real>>::update(Particles<2>&,
+                                                        const std::vector<std::uint8_t>&);
+template void CellOrder<3, 2, tile_cells<Real>>::update(Particles<3>&,
+                                                        const std::vector<std::uint8_t>&);
+template void CellOrder<3, 3, tile_cells<Real>>::update(Particles<3>&,
+                                                        const std::vector<std::uint8_t>&);
+template void CellOrder<3, 4, tile_cells<Real>>::update(Particles<3>&,
+                                                        const std::vector<std::uint8_t>&);
+template void CellOrder<2, 2, tile_cells<float>>::update(Particles<2, float>&,
+                                                         const std::vector<std::uint8_t>&);
+template void CellOrder<2, 3, tile_cells<float>>::update(Particles<2, float>&,
+                                                         const std::vector<std::uint8_t>&);
+template void CellOrder<3, 2, tile_cells<float>>::update(Particles<3, float>&,
+                                                         const std::vector<std::uint8_t>&);
+template void CellOrder<3, 3, tile_cells<float>>::update(Particles<3, float>&,
+                                                         const std::vector<std::uint8_t>&);
 
 } // namespace scarp

@@ -109,8 +109,10 @@ template <int Dim, int width, std::size_t tile_cells> class CellOrder {
 
   explicit CellOrder(const GridIndex<Dim>& grid) : grid_(&grid) {}
 
-  /// Assigns every point to its cell.  All points must lie in the grid.
-  template <class T> void update(Particles<Dim, T>& particles);
+  /// Assigns every point to its cell.  All points must lie in the grid.  `left`, by tile: 0 where
+  /// all points are known to lie in their cells still; empty: nothing is known.
+  template <class T>
+  void update(Particles<Dim, T>& particles, const std::vector<std::uint8_t>& left = {});
 
   const std::vector<Tile>& tiles() const { return tiles_; }
   Ranks ranks(const Tile& tile) const { return {next_.data(), tile}; }

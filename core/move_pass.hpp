@@ -49,7 +49,7 @@ Real short_of_sides(const GridIndex<Dim>& grid, std::size_t axis, Real from, Rea
   return to;
 }
 
-/// The points of one tile, except those that would leave the grid.
+/// The points of one tile, except those that would leave the grid.  Sets State::left of it.
 template <int Dim, class Shape>
 [[gnu::hot]] LostPoints move_tile(State<Dim, Shape>& state, std::size_t number_of_tile, Real dt) {
   using T = typename Shape::Number;
@@ -58,6 +58,7 @@ template <int Dim, class Shape>
   const auto& velocity = moving_velocity(state);
   const TileLanes<Dim, Shape> tile(state, number_of_tile);
   LostPoints lost;
+  bool left = false;
   const auto note = [&](const auto& which, std::size_t row, std::uint32_t& lowest) {
     for (std::size_t lane = 0; lane < tile_cells<T>; ++lane)
       if (which[lane]) lowest = std::min(lowest, points.id[row + lane]);
@@ -65,14 +66,16 @@ template <int Dim, class Shape>
   for (const auto rank : tile.ranks()) {
     const auto w = Shape::along(tile.local_position(rank), tile.stencil()).w;
     std::array<Places, Dim> x;
-    auto inside = Places(0.0) == 0.0;
+    auto stays = Places(0.0) == 0.0; // in its cell
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
       const Pack<T> dx = number<T>(dt) * interpolate(w, tile.at_nodes(velocity[i]));
       x[i] = tile.position(rank, i) + std::experimental::static_simd_cast<Places>(dx);
-      const Places xi = state.grid.scaled(x[i], i);
-      inside = inside && xi >= 0.0 && xi < static_cast<Real>(state.grid.cells[i]);
+      const Places xi = tile.in_cells(x[i], i);
+      stays = stays && xi >= 0.0 && xi < 1.0;
     });
-    if (auto leaves = tile.filled_places(rank) && !inside; any_of(leaves)) {
+    auto goes = tile.filled_places(rank);
+    if (const auto leaves = goes && !stays; any_of(leaves)) {
+      left = true;
       for (std::size_t lane = 0; lane < tile_cells<T>; ++lane) {
         if (!leaves[lane]) continue;
         Vec<Dim> to;
@@ -80,11 +83,11 @@ template <int Dim, class Shape>
           to[i] = short_of_sides(state.grid, i, tile.position(rank, i)[lane], x[i][lane]);
           x[i][lane] = to[i];
         }
-        inside[lane] = state.grid.contains(to);
+        goes[lane] = state.grid.contains(to);
       }
-      if (leaves = leaves && !inside; any_of(leaves)) note(leaves, rank.row, lost.outside);
+      if (const auto outside = leaves && !goes; any_of(outside))
+        note(outside, rank.row, lost.outside);
     }
-    const auto goes = inside && tile.filled_places(rank);
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
       Places all = tile.position(rank, i);
       where(goes, all) = x[i];
@@ -93,6 +96,7 @@ template <int Dim, class Shape>
     if (const auto bad = !(load_lanes(&points.J[rank.row]) > 0.0F); any_of(bad))
       note(bad, rank.row, lost.turned_over);
   }
+  state.left[number_of_tile] = left;
   return lost;
 }
 
@@ -101,6 +105,7 @@ template <int Dim, class Shape, class Update>
 LostPoints move_pass(State<Dim, Shape>& state, Real dt, Update&& update) {
   std::uint32_t outside = no_point, turned_over = no_point;
   const auto tiles = static_cast<std::int64_t>(state.order.tiles().size());
+  grow(state.left, state.order.tiles().size());
 #pragma omp parallel for schedule(static) reduction(min : outside, turned_over)
   for (std::int64_t k = 0; k < tiles; ++k) {
     const auto tile = static_cast<std::size_t>(k);

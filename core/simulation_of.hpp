@@ -98,7 +98,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     const Scheme scheme = scene_.method.scheme;
     walls_.open_gates(time_);
     if (loads_.vary()) loads_.update(time_);
-    state_.order.update(state_.particles);
+    state_.order.update(state_.particles, state_.left);
     find_contacts_pass(state_, loads_.largest(), dt);
     done(Phase::sort);
 
@@ -224,7 +224,7 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     points.for_each(
         [&](std::size_t p) { points.material[p] = material_of_region_[points.region[p]]; });
     fastest_ = 0.0; // as in a run that begins here
-    points.for_each([this](std::size_t p) { fastest_ = std::max(fastest_, speed(p)); });
+    points.for_each([this](std::size_t p) { fastest_ = std::max(fastest_, speed_beside(p)); });
   }
 
   /// m/s2, at row p and the present time.
@@ -320,6 +320,14 @@ template <int Dim, class Shape> class SimulationOf final : public Simulation {
     Real v2 = 0.0;
     for (const auto& v : state_.particles.v) v2 += v[p] * v[p];
     return std::sqrt(v2);
+  }
+
+  /// m/s, at row p, with gradients at a control point's distance, as gather_pass has it.
+  Real speed_beside(std::size_t p) const {
+    if (!state_.particles.affine()) return speed(p);
+    Real C2 = 0.0;
+    for (const auto& C : state_.particles.C) C2 += C[p] * C[p];
+    return speed(p) + 0.5 * state_.grid.h * std::sqrt(C2);
   }
 
   void check(const LostPoints& lost) const {

@@ -28,6 +28,9 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   /// core/contact_pass.hpp.
   std::array<std::array<std::vector<SidePair>, 2>, Dim> contacts;
   std::vector<std::uint8_t> marks; ///< by node; scratch of it
+  /// By tile: whether points have left their cells since the order was last updated.  Empty:
+  /// nothing is known of them.
+  std::vector<std::uint8_t> left;
   /// Whether the points of a cell have one volumetric strain rate: see core/stress_pass.hpp.
   bool averages_volume = false;
   /// Whether points move with the velocity that strains them, the remapped one: see
@@ -42,7 +45,8 @@ template <int Dim, class ShapeFunctions = LinearShape<Dim>> struct State {
   }
   /// Bytes.
   std::size_t memory() const {
-    std::size_t bytes = particles.memory() + order.memory() + nodal.memory() + bytes_of(marks);
+    std::size_t bytes =
+        particles.memory() + order.memory() + nodal.memory() + bytes_of(marks, left);
     for (const auto& of_axis : contacts) bytes += bytes_of(of_axis[0], of_axis[1]);
     return bytes;
   }
@@ -114,11 +118,16 @@ template <int Dim, class Shape> class TileLanes {
   [[gnu::always_inline]] std::array<Pack<T>, Dim> local_position(const Rank& rank) const {
     std::array<Pack<T>, Dim> xi;
     unrolled<Dim>([&](auto i) __attribute__((always_inline)) {
-      Places own = state_.grid.scaled(position(rank, i), i) - stencil_.corner[i];
-      if constexpr (i == 0) own -= lane_numbers<Real, tile_cells<T>>();
-      xi[i] = std::experimental::static_simd_cast<Pack<T>>(own);
+      xi[i] = std::experimental::static_simd_cast<Pack<T>>(in_cells(position(rank, i), i));
     });
     return xi;
+  }
+
+  /// Such places (m, of all lanes along an axis) from the lower ends of the lanes' cells, in cells.
+  [[gnu::always_inline]] Places in_cells(const Places& x, auto axis) const {
+    Places own = state_.grid.scaled(x, axis) - stencil_.corner[axis];
+    if constexpr (axis == 0) own -= lane_numbers<Real, tile_cells<T>>();
+    return own;
   }
 
   /// By corner c, a nodal value at node c of each cell.

@@ -255,6 +255,37 @@ TYPED_TEST(Transfer, RemapGivesTheNewMomenta) {
   }
 }
 
+/// The motion tells the order which tiles' points have left their cells, so that it need not look
+/// at the others.
+TYPED_TEST(Transfer, OrderLooksWherePointsHaveLeft) {
+  const auto in_own_cell = [&](const auto& cell, std::size_t p) {
+    return this->state.grid.along(this->state.grid.cell_of(this->state.particles.position(p))) ==
+           cell.along;
+  };
+  int tiles_to_look_at = 0, others = 0;
+  for (int round = 0; round < 20; ++round) {
+    for (auto& component : this->state.nodal.nodes.v)
+      for (auto& v : component)
+        v = static_cast<std::remove_reference_t<decltype(v)>>(this->random.between(-1.0, 1.0));
+    move_pass(this->state, 0.02 * this->h, [](std::size_t) {});
+    for (std::size_t tile = 0; tile < this->state.order.tiles().size(); ++tile) {
+      ++(this->state.left[tile] != 0 ? tiles_to_look_at : others);
+      if (this->state.left[tile] != 0) continue;
+      for_each_cell_of(this->state, tile, [&](const auto& cell) {
+        for (std::size_t k = 0; k < cell.count; ++k) EXPECT_TRUE(in_own_cell(cell, cell.row(k)));
+      });
+    }
+    this->state.order.update(this->state.particles, this->state.left);
+    std::size_t points = 0;
+    for (const auto& cell : this->state.order.cells())
+      for (std::size_t k = 0; k < cell.count; ++k, ++points)
+        EXPECT_TRUE(in_own_cell(cell, cell.row(k)));
+    EXPECT_EQ(points, rows_of(this->state.particles).size());
+  }
+  EXPECT_GT(tiles_to_look_at, 10);
+  EXPECT_GT(others, 10);
+}
+
 /// Points that wander stay in their cells' rows, with all their state,
 /// whether tiles grow one by one or all rows are put in order.
 TYPED_TEST(Transfer, OrderFollowsWanderingPoints) {
