@@ -14,7 +14,14 @@ void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles,
   const auto n = static_cast<std::int64_t>(before);
   leaving_.resize(static_cast<std::size_t>(omp_get_max_threads()));
   for (Leaving& out : leaving_) out.clear();
-#pragma omp parallel
+  // Fewer are done before other threads have woken up.  Who does it does not matter: the lists,
+  // one behind the other, are in the order of the tiles.
+  constexpr std::size_t several = 256;
+  const std::size_t look_at =
+      left.empty()
+          ? before
+          : before - static_cast<std::size_t>(std::count(left.begin(), left.begin() + n, 0));
+#pragma omp parallel if (look_at > several)
   {
     Leaving& out = leaving_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
@@ -28,12 +35,15 @@ void CellOrder<Dim, width, tile_cells>::update(Particles<Dim, T>& particles,
     unfilled_ += out.unfilled;
     empty_tiles_ += out.emptied;
   }
-  for (Leaving& out : leaving_)
+  std::size_t moves = 0;
+  for (Leaving& out : leaving_) {
+    moves += out.moves.size();
     for (Move& move : out.moves) find_row(move);
+  }
   particles.resize(next_.size() * tile_cells);
   const std::size_t bytes = particles.row_bytes();
   const auto lists = static_cast<std::int64_t>(leaving_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (moves > several)
   for (std::int64_t k = 0; k < lists; ++k) {
     const Leaving& out = leaving_[static_cast<std::size_t>(k)];
     for (std::size_t m = 0; m < out.moves.size(); ++m)

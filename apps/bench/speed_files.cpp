@@ -109,23 +109,22 @@ render::Chart panel(const std::vector<SpeedRow>& rows, int dimension) {
                  .y_unit = "10⁶/s",
                  .notes = {"1 thread: by processor time; several: shortest repetition"},
                  .title = dimension == 2 ? "plane strain" : "3-D"};
-  std::vector<std::string> methods;
+  std::vector<std::string> methods; // a colour each
   for (const SpeedRow& row : rows) {
-    std::string method = row.how.name();
-    if (row.how.precision() != "double") method += ", " + row.how.precision();
+    const std::string method = row.how.name();
+    const bool single = row.how.precision() != "double", alone = row.threads == 1;
     if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
     if (row.dimension != dimension) continue;
     const auto k = static_cast<std::size_t>(std::ranges::find(methods, method) - methods.begin());
-    const std::string label =
-        fmt::format("{}, {} thread{}", method, row.threads, row.threads == 1 ? "" : "s");
+    const std::string label = fmt::format("{}{}, {} thread{}", method, single ? ", single" : "",
+                                          row.threads, alone ? "" : "s");
     auto curve = std::ranges::find(chart.curves, label, &Curve::label);
     if (curve == chart.curves.end()) {
-      const bool alone = row.threads == 1;
       chart.curves.push_back({.label = label,
                               .x = {},
                               .y = {},
                               .colour = colours[k % colours.size()],
-                              .line = alone ? LineKind::solid : LineKind::dashed,
+                              .line = single ? LineKind::dashed : LineKind::solid,
                               .marker = alone ? Marker::circle : Marker::open_circle});
       curve = chart.curves.end() - 1;
     }

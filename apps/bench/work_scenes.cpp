@@ -32,14 +32,9 @@ WorkOutcome run_vortex_scene(int cells, const Discretisation& how) {
   return {run.error, run.points, run.steps};
 }
 
-/// Not in single precision: the load is what a heavy footing loses of its momentum, at 32 cells
-/// 5e-8 of it a step, which is less than a float can tell.
 std::vector<WorkPlan> plan_footing(Effort effort) {
-  std::vector<WorkPlan> plans =
-      every_method(effort, effort == Effort::quick ? std::vector{8, 16} : std::vector{8, 16, 32});
-  std::erase_if(
-      plans, [](const WorkPlan& plan) { return plan.how.method.precision == Precision::single; });
-  return plans;
+  return every_method(effort,
+                      effort == Effort::quick ? std::vector{8, 16} : std::vector{8, 16, 32});
 }
 
 /// The footing's swing is damped by 1 % of PIC where the transfer has a part of FLIP.
