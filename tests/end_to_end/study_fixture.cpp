@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -55,8 +56,9 @@ std::vector<std::string> processes_with(const std::string& text) {
   std::vector<std::string> ids;
   for (const auto& entry : fs::directory_iterator("/proc")) {
     std::ifstream words(entry.path() / "cmdline", std::ios::binary);
-    const std::string all{std::istreambuf_iterator<char>(words), std::istreambuf_iterator<char>()};
-    if (all.find(text) != std::string::npos) ids.push_back(entry.path().filename().string());
+    std::ostringstream all; // a process may end before it is read: then nothing comes
+    all << words.rdbuf();
+    if (all.str().find(text) != std::string::npos) ids.push_back(entry.path().filename().string());
   }
   return ids;
 }
