@@ -189,9 +189,9 @@ std::optional<StressFailure> StressChecks::at_most(const std::string& check, dou
   return StressFailure{check, value, bound, now.time, point, what};
 }
 
-void StressChecks::put_in(const StressMoment& now) {
-  if (first_kinetic_ < 0.0) first_kinetic_ = now.energies.kinetic;
-  put_in_ = std::max(put_in_, first_kinetic_ + now.energies.gravity_work);
+void StressChecks::put_in(const Energies& energies) {
+  if (first_kinetic_ < 0.0) first_kinetic_ = energies.kinetic;
+  put_in_ = std::max(put_in_, first_kinetic_ + energies.gravity_work);
 }
 
 std::optional<StressFailure> StressChecks::check_speed(const StressMoment& now) {
@@ -233,7 +233,7 @@ std::optional<StressFailure> StressChecks::look_at_energy(const StressMoment& no
                                "J, given by damping, friction or plastic flow"))
       return failure;
   peak_ = std::max(peak_, energies.grid_kinetic);
-  if (!first_loss_) first_loss_ = scheme_loss;
+  if (!first_loss_) first_loss_ = std::min(scheme_loss, 0.0);
   losses_.push_back(scheme_loss - *first_loss_);
   if (losses_.size() > energy_window) losses_.pop_front();
   if (losses_.size() < energy_window) return std::nullopt;
@@ -255,7 +255,7 @@ std::optional<StressFailure> StressChecks::look(const StressMoment& now) {
   if (auto failure =
           at_most("steps", static_cast<double>(now.steps), limits_.steps, now, 0, "steps"))
     return failure;
-  put_in(now);
+  put_in(now.energies);
   if (auto failure = check_speed(now)) return failure;
   return check_points(now);
 }

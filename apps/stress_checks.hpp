@@ -8,11 +8,15 @@
 //
 // energy    Friction, damping and plastic flow only take energy, and an explicit scheme must not
 //           give it: scheme_loss >= - energy_fraction P, with P = T(0) + max W the energy put in so
-//           far.  Leapfrog knows velocity and strain half a step apart: what it keeps is not T + U
-//           but v_n . M v_n+1 / 2 + U(x_n), with the velocities before and after the force at x_n.
-//           T + U of a mode of frequency w swings about more than that, up to 1/(1 - w dt/2) times
-//           as much, so energies are taken with this product (centred_loss).  What is left is
-//           averaged over the last energy_window looks: operators change while points move.
+//           far, over all steps: a cut square's whole period is four steps or five.  Leapfrog knows
+//           velocity and strain half a step apart: what it keeps is not T + U but v_n . M v_n+1 / 2
+//           + U(x_n), with the velocities before and after the force at x_n. T + U of a mode of
+//           frequency w swings about more than that, up to 1/(1 - w dt/2) times as much, so
+//           energies are taken with this product (centred_loss).  They count from the one at time
+//           0, which initial stresses may make smaller than 0.  Not larger: a side or damping that
+//           stops a body within the first step would make it so, and nothing is lost before a run.
+//           What is left is averaged over the last energy_window looks: operators change while
+//           points move.
 //
 // losses    Damping, friction and plastic flow each take energy: none of them gives more than
 //           energy_fraction P back.
@@ -157,6 +161,8 @@ class StressChecks {
  public:
   explicit StressChecks(const StressLimits& limits) : limits_(limits) {}
 
+  /// To be called step by step, from time 0 on.
+  void put_in(const Energies& energies);
   /// To be called moment by moment, from time 0 on.  Returns the first bound that does not hold.
   std::optional<StressFailure> look(const StressMoment& now);
   /// The same for energy; `scheme_loss`: J, the moment's centred_loss.
@@ -166,7 +172,6 @@ class StressChecks {
   const std::map<std::string, double>& nearest() const { return nearest_; }
 
  private:
-  void put_in(const StressMoment& now);
   double available() const { return (1.0 + energy_fraction) * put_in_; } ///< J
   std::optional<StressFailure> check_speed(const StressMoment& now);
   std::optional<StressFailure> check_points(const StressMoment& now);

@@ -24,6 +24,7 @@ class Watch final : public Observer {
 
   void frame(const Simulation& simulation) override { look(simulation); }
   void progress(const Simulation& simulation) override {
+    checks_.put_in(simulation.energies());
     if (before_) {
       const double loss = centred_loss(*before_, simulation.field("velocity"),
                                        simulation.field("velocity_gradient"), h_);

@@ -295,6 +295,29 @@ TEST(StressChecks, FindMadeEnergyButNoSwing) {
   EXPECT_EQ(found, "energy");
 }
 
+/// Energy put in and taken out between two looks has been there.
+TEST(StressChecks, KnowWhatEveryStepPutsIn) {
+  StressChecks checks(stress_limits(block()));
+  StressMoment moment = calm();
+  EXPECT_FALSE(checks.look(moment));
+  Energies between = moment.energies;
+  between.gravity_work = 20.0; // and 100 J at first
+  checks.put_in(between);
+  EXPECT_FALSE(checks.look_at_energy(moment, 0.0));
+  for (std::size_t i = 0; i < energy_window; ++i)
+    EXPECT_FALSE(checks.look_at_energy(moment, -11.9)) << i;
+  EXPECT_TRUE(checks.look_at_energy(moment, -15.0));
+}
+
+/// A side that stops a body within the first step takes energy in that step, not before the run.
+TEST(StressChecks, CountLossesFromNothing) {
+  StressChecks checks(stress_limits(block()));
+  StressMoment moment = calm();
+  EXPECT_FALSE(checks.look(moment));
+  for (std::size_t i = 0; i < 2 * energy_window; ++i)
+    EXPECT_FALSE(checks.look_at_energy(moment, i == 0 ? 50.0 : 30.0)) << i;
+}
+
 TEST(StressChecks, FindEnergyMadeAfterRest) {
   StressChecks checks(stress_limits(block()));
   StressMoment moment = calm();
